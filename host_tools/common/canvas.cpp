@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/lcd.hpp"
 
@@ -226,7 +227,8 @@ void draw_lines(const Font& font,
                 const Sink& sink) {
   for (size_t i = 0; i < lines.size(); ++i) {
     const std::vector<PositionedGlyph>& glyphs = lines[i].glyphs;
-    draw(font, {glyphs.data(), glyphs.size()}, style, origins[i], sink);
+    Painter(sink).glyphs(font, style, origins[i],
+                         {glyphs.data(), glyphs.size()});
   }
 }
 

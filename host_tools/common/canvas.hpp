@@ -10,7 +10,9 @@
 #include "counting_sink.hpp"
 #include "image.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/layout/layout.hpp"
+#include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 

@@ -178,7 +178,7 @@ Look::Look(const LookOptions& asked,
     style_ = make_style(px, angle, kFilterArea);
   }
   set_effect(options, font, use);
-  if (check_effect(font, style_) != Status::ok) {
+  if (font.check(style_) != Status::ok) {
     throw std::runtime_error(
         "--samples paper and splats draw cells, and this font has outlines: "
         "use --samples adaptive, or make it by inkcell-fontgen --coding "

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "canvas.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -65,8 +65,9 @@ void write_text(const Font& font,
                 Image& image) {
   const ColourSink target(image, colour);
   const Line line = lay_out(font, text, Kerning::font, style);
-  draw(font, {line.glyphs.data(), line.glyphs.size()}, style, make_point(x, y),
-       target.sink());
+  Painter(target.sink())
+      .glyphs(font, style, make_point(x, y),
+              {line.glyphs.data(), line.glyphs.size()});
 }
 
 Sheet::Sheet(const Font& font, const SheetLayout& layout)

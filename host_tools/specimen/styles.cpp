@@ -12,10 +12,10 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/dither.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
-#include "inkcell/text.hpp"
 #include "sheet.hpp"
 
 namespace inkcell::tools {
@@ -85,12 +85,12 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   }
   // Half full in the middle of a stroke.
   const Filter shadow = make_filter(spec_of(-1.25, 3.5));
-  draw_text(font, "Sphinx", make_style(kPx, 0, shadow), make_point(7.5, 28.5),
-            dithered);
+  Painter(dithered).text(font, make_style(kPx, 0, shadow),
+                         make_point(7.5, 28.5), "Sphinx");
   const Bilevel bilevel;
   Style style = make_style(kPx, 0, kFilterText);
   style.set_effect(bilevel);
-  draw_text(font, "Sphinx", style, make_point(4, 25), plain);
+  Painter(plain).text(font, style, make_point(4, 25), "Sphinx");
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const int byte = bits[static_cast<size_t>(y * stride + x / 8)];

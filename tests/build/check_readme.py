@@ -20,7 +20,7 @@ LINKER_FLAGS = "-Wl,--gc-sections"
 LINKER = "set_target_properties(app PROPERTIES LINKER_LANGUAGE C)"
 INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
-CALLED = ["paint_areas(", "draw_text("]
+CALLED = ["paint_areas(", "Painter::text("]
 NOT_CALLED = ["mix_lcd", "mix_stroke", "mix_bilevel", "mix_contrast", "Mean::",
               "repaint(", "paint_crossings", "paint_distances(", "paint_wide",
               "PreparedGlyph::make", "Fit::make", "kGridFit", "Font::verify"]

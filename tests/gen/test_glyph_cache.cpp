@@ -32,7 +32,7 @@ TEST(GlyphCache, TenDigitsOf32PxFitInto2Kb) {
   // Each at the same phase.
   for (int round = 0; round < 2; ++round) {
     for (char digit = '0'; digit <= '9'; ++digit) {
-      cache.draw_text(font, Text(&digit, 1), style, origin, sink);
+      Painter(sink, {}, &cache).text(font, style, origin, Text(&digit, 1));
     }
   }
   EXPECT_GT(pixels, 0);

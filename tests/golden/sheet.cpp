@@ -1,6 +1,7 @@
 #include "sheet.hpp"
 
 #include "inkcell/field/draw.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
@@ -11,7 +12,6 @@
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
-#include "inkcell/text.hpp"
 #include "styles.hpp"
 
 namespace golden {
@@ -67,7 +67,7 @@ bool draw_line(const Line& line, const Sink& sink) {
   direction.sine.raw = line.sine_q30;
   const Style style(Q26_6::from_raw(line.size_q6), *line.filter, direction);
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
-  draw_text(font, line.text, style, origin, sink);
+  Painter(sink).text(font, style, origin, line.text);
   return true;
 }
 

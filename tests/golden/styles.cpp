@@ -8,9 +8,10 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/supersample.hpp"
 
 namespace golden {
 namespace {
@@ -47,7 +48,7 @@ bool draw_line(const Line& line,
     own.set_fit(fit);
   }
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
-  draw_text(font, line.text, own, origin, sink);
+  Painter(sink).text(font, own, origin, line.text);
   return true;
 }
 

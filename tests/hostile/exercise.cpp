@@ -13,6 +13,7 @@
 #include "inkcell/field/verify.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/painter.hpp"
 
 namespace hostile {
 namespace {
@@ -197,13 +198,13 @@ void draw_checked(const Font& font,
                   const Style& style,
                   Point origin) {
   Canvas whole({0, 0, kWidth, kHeight});
-  draw_glyph(font, glyph, style, origin, whole.sink());
+  Painter(whole.sink()).glyph(font, style, origin, glyph);
   whole.check_guards();
   Canvas upper({0, 0, kWidth, 7});
-  draw_glyph(font, glyph, style, origin, upper.sink());
+  Painter(upper.sink()).glyph(font, style, origin, glyph);
   upper.check_guards();
   Canvas lower({0, 7, kWidth, kHeight});
-  draw_glyph(font, glyph, style, origin, lower.sink());
+  Painter(lower.sink()).glyph(font, style, origin, glyph);
   lower.check_guards();
   for (int32_t y = 0; y < kHeight; ++y) {
     require(
@@ -235,7 +236,7 @@ void use_text(const Font& font, Text text, const Style& style, Point origin) {
   Canvas parts({0, 0, kWidth, kHeight});
   for (const PositionedGlyph& glyph : run) {
     whole.next_glyph();
-    draw(font, {&glyph, 1}, style, origin, whole.sink());
+    Painter(whole.sink()).glyphs(font, style, origin, {&glyph, 1});
   }
   whole.check_guards();
   // As a line of text, calls restart with each glyph: one window a row.
@@ -245,7 +246,7 @@ void use_text(const Font& font, Text text, const Style& style, Point origin) {
       Sink sink = parts.sink();
       sink.window.y0 = y;
       sink.window.y1 = y + 1;
-      draw(font, {&glyph, 1}, style, origin, sink);
+      Painter(sink).glyphs(font, style, origin, {&glyph, 1});
     }
     require(!is_exact(font, style) || parts.row_equals(y, whole),
             "the same line row by row");

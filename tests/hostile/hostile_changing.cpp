@@ -14,6 +14,7 @@
 #include "exercise.hpp"
 #include "good_fonts.hpp"
 #include "inkcell/field/draw.hpp"
+#include "inkcell/painter.hpp"
 
 namespace {
 
@@ -46,9 +47,9 @@ void draw_with_ram(const Font& font, Ink& ink) {
   const Style style(22_px, kFilterText);
   const Sink sink = {ink.window, &ink, Ink::coverage, Ink::solid};
   for (uint16_t glyph = 0; glyph < 7; ++glyph) {
-    draw_glyph(font, glyph, style,
-               {Q26_6::from_int(1), Q26_6::from_raw(18 * 64 + glyph)}, sink,
-               workspace);
+    Painter(sink, workspace)
+        .glyph(font, style,
+               {Q26_6::from_int(1), Q26_6::from_raw(18 * 64 + glyph)}, glyph);
   }
 }
 

@@ -11,11 +11,11 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
-#include "inkcell/text.hpp"
 
 namespace hostile {
 namespace {
@@ -264,7 +264,7 @@ void check_outline(const Font& font,
   const Rect& all = whole.all();
   const Sink sink = whole.sink(all, false);
   options.fill = whole.fill_sink(all);
-  draw_glyph(font, glyph, style, cut.origin, sink, large.workspace());
+  Painter(sink, large.workspace()).glyph(font, style, cut.origin, glyph);
 
   const Ram small(cut.part_bytes, cut.odd);
   Picture parts(cut.x0, cut.y0);
@@ -277,7 +277,7 @@ void check_outline(const Font& font,
   for (const Rect& window : windows) {
     const Sink part = parts.sink(window, false);
     options.fill = parts.fill_sink(window);
-    draw_glyph(font, glyph, style, cut.origin, part, small.workspace());
+    Painter(part, small.workspace()).glyph(font, style, cut.origin, glyph);
   }
   require(!is_exact || parts.equals(whole), "the same picture in windows");
 

@@ -2,7 +2,7 @@
 #include <fonts/ui.hpp>
 
 #include "check.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 
 namespace {
 
@@ -63,7 +63,8 @@ bool is_near(int32_t pixels, int32_t expected) {
 // What docs/PORTING.md shows.
 void draw_wifi(const Font& font, const Style& style, const Sink& sink) {
   const Point pen = {};
-  inkcell::draw_text(font, fonts::ui_icons::kWifi, style, pen, sink);  // UTF-8
+  inkcell::Painter(sink).text(font, style, pen,
+                              fonts::ui_icons::kWifi);  // UTF-8
 }
 
 }  // namespace
@@ -76,11 +77,11 @@ TEST(icons_are_drawn_by_name) {
 
   // A roof of 90, a body of 140, less a door of 28.
   Columns home;
-  draw_text(open(), fonts::ui_icons::kHome, style(), {}, home.sink());
+  Painter(home.sink()).text(open(), style(), {}, fonts::ui_icons::kHome);
   CHECK(is_near(home.pixels(0, kSize), 90 + 140 - 28));
 
   Columns battery;
-  draw_text(open(), fonts::ui_icons::kBattery, style(), {}, battery.sink());
+  Painter(battery.sink()).text(open(), style(), {}, fonts::ui_icons::kBattery);
   CHECK(is_near(battery.pixels(2, 20), 18 * 10));
   CHECK(is_near(battery.pixels(20, 22), 2 * 4));
 }
@@ -105,6 +106,6 @@ TEST(characters_come_from_both_faces) {
   }
   CHECK(font.glyph_of(0x391, glyph) == Status::no_glyph);
   Columns alpha;
-  draw_text(font, "\xCE\xB1", style(), {}, alpha.sink());
+  Painter(alpha.sink()).text(font, style(), {}, "\xCE\xB1");
   CHECK(alpha.pixels(0, kSize) > 30);
 }

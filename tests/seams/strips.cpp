@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "inkcell/font.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "rom_file.hpp"
 
 namespace {
@@ -76,8 +76,8 @@ int64_t compare(const Font& font,
   Picture whole(width, height);
   std::vector<uint32_t> ram(1 << 14);
   const Workspace large(reinterpret_cast<uint8_t*>(ram.data()), 1 << 16);
-  draw_glyph(font, glyph, style, origin, whole.sink({0, 0, width, height}),
-             large);
+  Painter(whole.sink({0, 0, width, height}), large)
+      .glyph(font, style, origin, glyph);
   int64_t differences = 0;
   for (const int32_t rows : {1, 5, 16, height}) {
     Picture parts(width, height);
@@ -85,9 +85,10 @@ int64_t compare(const Font& font,
     for (int32_t y = 0; y < height; y += rows) {
       const int32_t end = std::min(y + rows, height);
       const Workspace small = {large.data, rows % 2 == 0 ? 2560u : kLeastBytes};
-      draw_glyph(font, glyph, style, origin, parts.sink({0, y, cut, end}),
-                 small);
-      draw_glyph(font, glyph, style, origin, parts.sink({cut, y, width, end}));
+      Painter(parts.sink({0, y, cut, end}), small)
+          .glyph(font, style, origin, glyph);
+      Painter(parts.sink({cut, y, width, end}))
+          .glyph(font, style, origin, glyph);
     }
     for (size_t i = 0; i < whole.pixels.size(); ++i) {
       differences += whole.pixels[i] != parts.pixels[i] ? 1 : 0;

@@ -1,4 +1,5 @@
 // Shaped runs: what is drawn, measured and laid out, and any numbers in them.
+#include "inkcell/painter.hpp"
 #include "inkcell/shaped_run.hpp"
 
 #include <fonts/labels.hpp>
@@ -108,8 +109,8 @@ void draw_title(const Font& font,
   const ShapedRun& title = fonts::ui_strings::title;
   const Q26_6 wide = to_px(font, style, measure(font, title, style).advance);
   const int32_t left = (64 * width - wide.raw) / 2;
-  draw(font, title, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},
-       sink);
+  Painter(sink).text(font, style,
+                     {Q26_6::from_raw(left), Q26_6::from_int(baseline)}, title);
 }
 
 }  // namespace
@@ -125,14 +126,15 @@ TEST(run_is_its_glyphs_one_by_one) {
     static Page one_by_one;
     by_run = Page();
     one_by_one = Page();
-    draw(font, *run, style, kOrigin, by_run.sink());
+    Painter(by_run.sink()).text(font, style, kOrigin, *run);
     int32_t x = 0;
     for (const ShapedGlyph& glyph : run->glyphs) {
       x += glyph.x;
-      draw_glyph(font, glyph.glyph, style,
+      Painter(one_by_one.sink())
+          .glyph(font, style,
                  {Q26_6::from_raw(kOrigin.x.raw + x),
                   Q26_6::from_raw(kOrigin.y.raw - glyph.y)},
-                 one_by_one.sink());
+                 glyph.glyph);
     }
     CHECK(by_run.drawn() > 100);
     CHECK(by_run == one_by_one);
@@ -148,12 +150,12 @@ TEST(run_is_what_its_layout_draws) {
       static Page by_layout;
       by_run = Page();
       by_layout = Page();
-      draw(font, *run, style, kOrigin, by_run.sink());
+      Painter(by_run.sink()).text(font, style, kOrigin, *run);
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
       CHECK_OK(lay_out(*run, room, glyphs));
       CHECK_EQ(glyphs.size, run->glyphs.size);
-      draw(font, glyphs, style, kOrigin, by_layout.sink());
+      Painter(by_layout.sink()).glyphs(font, style, kOrigin, glyphs);
       CHECK(by_run == by_layout);
     }
   }
@@ -180,7 +182,7 @@ TEST(measure_has_the_ink) {
     CHECK(box.x_max > box.x_min && box.y_max > box.y_min);
     static Page page;
     page = Page();
-    draw(font, *run, style, kOrigin, page.sink());
+    Painter(page.sink()).text(font, style, kOrigin, *run);
     int32_t left = kWidth;
     int32_t right = 0;
     int32_t top = kHeight;
@@ -314,18 +316,18 @@ TEST(any_numbers_are_safe) {
   }
   const ShapedRun run = {glyphs, INT32_MIN};
   static Page page;
-  draw(font, run, style_of(12), kOrigin, page.sink());
+  Painter(page.sink()).text(font, style_of(12), kOrigin, run);
   static PositionedGlyph room[600];
   Span<const PositionedGlyph> placed;
   CHECK_OK(lay_out(run, room, placed));
   CHECK_EQ(placed[599].x, 1 << 24);
   CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
   const FittedStyle fitted(font, 40);
-  draw(font, run, fitted.style, kOrigin, page.sink());
+  Painter(page.sink()).text(font, fitted.style, kOrigin, run);
   CHECK(measure(font, run, fitted.style).x_max <= (1 << 24) + 65536);
   // A font without glyphs has none of them.
   static Page empty;
-  draw(Font(), run, style_of(12), kOrigin, empty.sink());
+  Painter(empty.sink()).text(Font(), style_of(12), kOrigin, run);
   CHECK_EQ(empty.drawn(), 0);
 }
 
@@ -353,7 +355,8 @@ TEST(c_draws_the_same) {
   const Sink to_c = by_c.sink();
   draw_greeting(&font_c, reinterpret_cast<const inkcell_style_t*>(&style),
                 reinterpret_cast<const inkcell_sink_t*>(&to_c));
-  draw(font, fonts::labels_strings::greeting, style, kOrigin, by_cpp.sink());
+  Painter(by_cpp.sink())
+      .text(font, style, kOrigin, fonts::labels_strings::greeting);
   CHECK(by_c.drawn() > 100);
   CHECK(by_c == by_cpp);
 

@@ -4,9 +4,9 @@
 #include "check.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 
 namespace display_page {
@@ -31,12 +31,12 @@ void draw_words(Target target) {
   small = Style(13_px, kFilterArea);
   Sink sink;
   CHECK_OK(make_sink(target, sink));
-  draw_text(font, "DEFACED", large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
-            sink);
-  draw_text(font, "BEAD FACE", small, {Q26_6::from_int(3), Q26_6::from_int(50)},
-            sink);
-  draw_text(font, "FADE", large, {Q26_6::from_int(30), Q26_6::from_int(150)},
-            sink);
+  Painter(sink).text(font, large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
+                     "DEFACED");
+  Painter(sink).text(font, small, {Q26_6::from_int(3), Q26_6::from_int(50)},
+                     "BEAD FACE");
+  Painter(sink).text(font, large, {Q26_6::from_int(30), Q26_6::from_int(150)},
+                     "FADE");
 }
 
 /// Clears a strip to `background` and draws the words.

@@ -6,9 +6,10 @@
 
 #include "base/bytes.hpp"
 #include "check.hpp"
+#include "inkcell/field/splat.hpp"
 #include "inkcell/fixed.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "sink/emit.hpp"
 
@@ -102,12 +103,27 @@ TEST(runs_have_faces) {
       PositionedGlyph at;
       at.glyph = 1;
       const Face face = {own, look};
-      draw(face, {}, {&at, 1}, {}, kSink);
+      Painter(kSink).glyphs(face, {}, {}, {&at, 1});
     };
   };
   CHECK(!ends(draw_with(&font, &style)));
   CHECK(ends(draw_with(nullptr, &style)));
   CHECK(ends(draw_with(&font, nullptr)));
+}
+
+TEST(styles_are_checked_before_they_draw) {
+  static uint8_t rom[outline_record::kSampleFontBytes];
+  const size_t size = outline_record::build_sample_font(rom);
+  Font font;
+  CHECK_OK(Font::open({rom, size}, font));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(9), kFilterText, style));
+  const auto draw = [&] { Painter(kSink).text(font, style, {}, "A"); };
+  CHECK(!ends(draw));
+  const Splats splats;
+  style.set_effect(splat_effect(splats));
+  CHECK_EQ(font.check(style), Status::unsupported);
+  CHECK(ends(draw));
 }
 
 TEST(slants_are_of_slanted_styles) {

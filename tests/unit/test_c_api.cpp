@@ -5,6 +5,7 @@
 #include "fonts.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
 #include "inkcell/layout/text_box.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/grey8.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/rgb565.hpp"
@@ -55,10 +56,10 @@ TEST(label_is_that_of_cpp) {
   CHECK_OK(port::make_sink(target, sink));
   const int32_t width =
       to_px(font, style, measure(font, kText, style).advance).raw;
-  draw_text(
-      font, kText, style,
+  Painter(sink).text(
+      font, style,
       {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
-      sink);
+      kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 
@@ -115,8 +116,8 @@ TEST(clock_is_that_of_cpp) {
   alignas(8) static uint8_t ram[2048];
   GlyphCache cache;
   CHECK_OK(GlyphCache::make(ram, {}, cache));
-  cache.draw_text(font, "42 24", style,
-                  {Q26_6::from_int(4), Q26_6::from_int(32)}, sink);
+  Painter(sink, {}, &cache)
+      .text(font, style, {Q26_6::from_int(4), Q26_6::from_int(32)}, "42 24");
   CHECK_EQ(differences(by_c, by_cpp), 0);
   CHECK_EQ(stats.misses, cache.stats().misses);
   CHECK_EQ(stats.glyphs, cache.stats().glyphs);
@@ -165,8 +166,8 @@ TEST(own_sink_gets_what_cpp_gives) {
     __builtin_memset(static_cast<uint8_t*>(context) + y * PLOT_WIDTH + x, 255,
                      static_cast<size_t>(count));
   };
-  draw_text(font, kText, style,
-            {Q26_6::from_int(2), Q26_6::from_raw(20 * 64 + 32)}, sink);
+  Painter(sink).text(
+      font, style, {Q26_6::from_int(2), Q26_6::from_raw(20 * 64 + 32)}, kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 

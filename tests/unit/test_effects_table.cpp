@@ -9,10 +9,10 @@
 #include "inkcell/field/splat.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "own_effects.hpp"
 #include "picture.hpp"
@@ -105,7 +105,7 @@ void draw_part(const Font& font,
     CHECK_OK(PreparedGlyph::make(font, kLeaf, style, kOrigin, lent, glyph));
     glyph.draw(sink);
   } else {
-    draw_glyph(font, kLeaf, style, kOrigin, sink, lent);
+    Painter(sink, lent).glyph(font, style, kOrigin, kLeaf);
   }
 }
 
@@ -144,7 +144,7 @@ void check_row(const Font& font, const Row& row, int32_t kind) {
   draw_parts(font, style, kWidth, kHeight, kAmple);
   whole = canvas;
   style.set_effect(*row.effect);
-  CHECK_OK(check_effect(font, style));
+  CHECK_OK(font.check(style));
   draw_parts(font, style, kWidth, kHeight, kAmple);
   bool is_right = differing() > 20;
   whole = canvas;
@@ -176,10 +176,11 @@ void draw_mean(const Font& font,
   }
   for (const Shift& shift : shifts) {
     canvas.clear();
-    draw_glyph(font, kLeaf, style,
+    Painter(canvas.sink(kAll, true), {ram, sizeof(ram)})
+        .glyph(font, style,
                {Q26_6::from_raw(kOrigin.x.raw + shift.right_q6),
                 Q26_6::from_raw(kOrigin.y.raw + shift.down_q6)},
-               canvas.sink(kAll, true), {ram, sizeof(ram)});
+               kLeaf);
     for (int32_t i = 0; i < kWidth * kHeight; ++i) {
       sums[i] = static_cast<uint16_t>(sums[i] + canvas.pixels[i * kChannels] *
                                                     shift.share);
@@ -206,8 +207,8 @@ Change change_of(const Font& font,
   Canvas* const canvases[] = {&whole, &canvas};
   for (Canvas* each : canvases) {
     each->clear();
-    draw_glyph(font, glyph, style, kOrigin, each->sink(kAll, true),
-               {ram, sizeof(ram)});
+    Painter(each->sink(kAll, true), {ram, sizeof(ram)})
+        .glyph(font, style, kOrigin, glyph);
     style.set_effect(options);
   }
   Change change = {0, 0};
@@ -225,9 +226,10 @@ Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect* effect) {
     style.set_effect(*effect);
   }
   Picture<17, 15> picture;
-  draw_glyph(font, glyph, style,
+  Painter(picture.sink(), {ram, sizeof(ram)})
+      .glyph(font, style,
              {Q26_6::from_raw(2 * 64 + 20), Q26_6::from_raw(12 * 64 + 10)},
-             picture.sink(), {ram, sizeof(ram)});
+             glyph);
   return picture;
 }
 
@@ -263,11 +265,11 @@ TEST(only_what_takes_fields_is_refused) {
   const Effect* const refused[] = {&kSamples, &splat};
   for (const Effect* effect : refused) {
     style.set_effect(*effect);
-    CHECK_EQ(check_effect(font, style), Status::unsupported);
-    CHECK(is_empty(glyph_box(font, kDisc, style, kOrigin)));
+    CHECK_EQ(font.check(style), Status::unsupported);
+    CHECK(is_empty(Painter().glyph_box(font, style, kOrigin, kDisc)));
   }
   style.clear_effect();
-  CHECK_OK(check_effect(font, style));
+  CHECK_OK(font.check(style));
 }
 
 TEST(supersampling_is_the_mean_of_five_pictures) {
@@ -328,12 +330,12 @@ TEST(the_longest_path_keeps_the_ink) {
   Ink plain;
   Ink blurred;
   constexpr Rect kWide = {-40, -40, 80, 80};
-  draw_glyph(font, kDisc, style, kOrigin,
-             {kWide, &plain, Ink::coverage, Ink::solid});
+  Painter({kWide, &plain, Ink::coverage, Ink::solid})
+      .glyph(font, style, kOrigin, kDisc);
   style.set_effect(kLongest);
-  const Rect box = glyph_box(font, kDisc, style, kOrigin);
-  draw_glyph(font, kDisc, style, kOrigin,
-             {kWide, &blurred, Ink::coverage, Ink::solid});
+  const Rect box = Painter().glyph_box(font, style, kOrigin, kDisc);
+  Painter({kWide, &blurred, Ink::coverage, Ink::solid})
+      .glyph(font, style, kOrigin, kDisc);
   CHECK(plain.sum - blurred.sum < plain.sum / 20);
   CHECK(blurred.sum - plain.sum < plain.sum / 20);
   CHECK(box.x1 - box.x0 >= 9 + 32 && box.x1 - box.x0 <= 9 + 36);

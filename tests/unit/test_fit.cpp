@@ -4,7 +4,7 @@
 #include "check.hpp"
 #include "grid_record.hpp"
 #include "inkcell/bilevel.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
@@ -296,8 +296,8 @@ TEST(text_is_measured_as_it_is_drawn) {
     const Point rounded = {Q26_6::from_int(part < 32 ? 1 : 2), origin.y};
     CHECK_OK(lay_out(font, "BAB", style, {room, 3}, glyphs));
     for (const PositionedGlyph& glyph : glyphs) {
-      draw(font, {&glyph, 1}, style, rounded, whole.sink());
-      draw(font, {&glyph, 1}, style, origin, drawn.sink());
+      Painter(whole.sink()).glyphs(font, style, rounded, {&glyph, 1});
+      Painter(drawn.sink()).glyphs(font, style, origin, {&glyph, 1});
       whole.next_glyph();
       drawn.next_glyph();
     }
@@ -314,8 +314,9 @@ void draw_each(const Font& font, const Style& style, Picture<18, 8>& picture) {
   TextCursor cursor(font, "ABD", style);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    draw(font, {&at, 1}, style, {Q26_6::from_int(0), Q26_6::from_int(7)},
-         picture.sink());
+    Painter(picture.sink())
+        .glyphs(font, style, {Q26_6::from_int(0), Q26_6::from_int(7)},
+                {&at, 1});
     picture.next_glyph();
   }
 }
@@ -388,8 +389,8 @@ TEST(any_hints_are_safe) {
       }
       CHECK(!fit.has_advances() || fit.advance_px(font, glyph) >= 0);
       Picture<24, 24> picture;
-      draw_glyph(font, glyph, style, {Q26_6::from_int(2), Q26_6::from_int(18)},
-                 picture.sink());
+      Painter(picture.sink())
+          .glyph(font, style, {Q26_6::from_int(2), Q26_6::from_int(18)}, glyph);
     }
   }
 }

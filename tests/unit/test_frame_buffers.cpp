@@ -2,6 +2,7 @@
 // how these libraries read a pixel; and the lines of docs/PORTING.md.
 #include "check.hpp"
 #include "display_page.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/gfx_canvas.hpp"
 #include "inkcell/port/tft_sprite.hpp"
 #include "inkcell/port/u8g2_buffer.hpp"
@@ -156,7 +157,7 @@ Status draw_on_canvas(GFXcanvas16& canvas,
   target.colour = port::rgb565(255, 200, 0);
   Sink sink;
   INKCELL_TRY(port::make_sink(target, sink));
-  draw_text(font, "ABC", style, {4, 28}, sink);
+  Painter(sink).text(font, style, {4, 28}, "ABC");
   return Status::ok;
 }
 

@@ -5,6 +5,7 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
@@ -154,9 +155,7 @@ void draw_cached(GlyphCache& cache,
                  uint16_t glyph,
                  const Style& style,
                  Point origin) {
-  PositionedGlyph at;
-  at.glyph = glyph;
-  cache.draw(font, {&at, 1}, style, origin, cached.sink());
+  Painter(cached.sink(), {}, &cache).glyph(font, style, origin, glyph);
 }
 
 // Draws a glyph with the cache and without; the greatest difference.
@@ -169,7 +168,7 @@ int32_t compare(GlyphCache& cache,
   clear(cached, channels);
   clear(plain, channels);
   draw_cached(cache, font, glyph, style, origin);
-  draw_glyph(font, glyph, style, origin, plain.sink());
+  Painter(plain.sink()).glyph(font, style, origin, glyph);
   return worst_difference();
 }
 
@@ -185,7 +184,7 @@ Status draw_clock(const Font& font,
   alignas(8) static uint8_t kept[2048];
   GlyphCache cache;
   INKCELL_TRY(GlyphCache::make(kept, {}, cache));
-  cache.draw_text(font, "12:34", style, origin, sink);
+  Painter(sink, {}, &cache).text(font, style, origin, "12:34");
   return Status::ok;
 }
 
@@ -271,8 +270,8 @@ TEST(glyphs_are_drawn_at_the_nearest_phase) {
     clear(plain, 1);
     const Q26_6 y = Q26_6::from_int(20);
     draw_cached(cache, font, 1, style, {Q26_6::from_raw(raw), y});
-    draw_glyph(font, 1, style, {Q26_6::from_raw((raw + 8) & ~15), y},
-               plain.sink());
+    Painter(plain.sink())
+        .glyph(font, style, {Q26_6::from_raw((raw + 8) & ~15), y}, 1);
     CHECK_EQ(worst_difference(), 0);
   }
   CHECK_EQ(cache.stats().misses, 4u);
@@ -285,7 +284,7 @@ TEST(strips_and_windows_do_not_matter) {
   const Text text = "ABCA";
   clear(plain, 1);
   GlyphCache whole = cache_of(2048, exact());
-  whole.draw_text(font, text, style, px(-3, 18), plain.sink());
+  Painter(plain.sink(), {}, &whole).text(font, style, px(-3, 18), text);
   CHECK(ink(plain) > 0);
   for (int32_t rows = 1; rows < 9; ++rows) {
     GlyphCache cache = cache_of(2048, exact());
@@ -295,9 +294,9 @@ TEST(strips_and_windows_do_not_matter) {
       const int32_t end = y + rows < kHeight ? y + rows : kHeight;
       const int32_t middle = 5 * rows;
       cached.window = {0, y, middle, end};
-      cache.draw_text(font, text, style, px(-3, 18), cached.sink());
+      Painter(cached.sink(), {}, &cache).text(font, style, px(-3, 18), text);
       cached.window = {middle, y, kWidth, end};
-      cache.draw_text(font, text, style, px(-3, 18), cached.sink());
+      Painter(cached.sink(), {}, &cache).text(font, style, px(-3, 18), text);
     }
     CHECK_EQ(worst_difference(), 0);
   }
@@ -366,6 +365,38 @@ TEST(styles_are_told_apart_by_value) {
   CHECK_EQ(cache.stats().hits, 2u);
 }
 
+TEST(boxes_of_text_are_where_the_cache_draws_it) {
+  const Font font = outline_font();
+  const Style style = style_of(16);
+  GlyphCacheOptions options = exact();
+  options.phases = 1;
+  GlyphCache cache = cache_of(2048, options);
+  for (int32_t raw = 0; raw < 64; raw += 7) {
+    const Point origin = {Q26_6::from_raw(2 * 64 + raw),
+                          Q26_6::from_raw(19 * 64 - raw)};
+    clear(cached, 1);
+    const Sink sink = cached.sink();
+    const Painter painter(sink, {}, &cache);
+    const Rect box = painter.box(font, style, origin, "AA");
+    painter.text(font, style, origin, "AA");
+    Rect touched;
+    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+      const int32_t x = i % kWidth;
+      const int32_t y = i / kWidth;
+      if (cached.pixels[i] != 0) {
+        touched = is_empty(touched)
+                      ? Rect{x, y, x + 1, y + 1}
+                      : Rect{touched.x0 < x ? touched.x0 : x, touched.y0,
+                             touched.x1 > x ? touched.x1 : x + 1, y + 1};
+      }
+    }
+    CHECK(touched.x0 >= box.x0 && touched.x0 <= box.x0 + 1);
+    CHECK(touched.y0 >= box.y0 && touched.y0 <= box.y0 + 1);
+    CHECK(touched.x1 <= box.x1 && touched.x1 >= box.x1 - 1);
+    CHECK(touched.y1 <= box.y1 && touched.y1 >= box.y1 - 1);
+  }
+}
+
 TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   const Font fonts[] = {outline_font(), sample_font()};
   const Style styles[] = {style_of(20), style_of(14)};
@@ -380,8 +411,8 @@ TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   for (int32_t round = 0; round < 2; ++round) {
     clear(cached, 1);
     clear(plain, 1);
-    cache.draw(face, fallback, run, px(6, 20), cached.sink());
-    draw(face, fallback, run, px(6, 20), plain.sink());
+    Painter(cached.sink(), {}, &cache).glyphs(face, fallback, px(6, 20), run);
+    Painter(plain.sink()).glyphs(face, fallback, px(6, 20), run);
     CHECK_EQ(worst_difference(), 0);
   }
   CHECK_EQ(cache.stats().misses, 2u);
@@ -397,8 +428,8 @@ TEST(faces_without_a_glyph_take_no_slot) {
   GlyphCache cache = cache_of(2048, exact());
   clear(cached, 1);
   for (int32_t round = 0; round < 3; ++round) {
-    cache.draw({&fonts[0], &styles[0]}, fallback, run, px(6, 20),
-               cached.sink());
+    Painter(cached.sink(), {}, &cache)
+        .glyphs({&fonts[0], &styles[0]}, fallback, px(6, 20), run);
   }
   CHECK_EQ(cache.stats().hits, 2u);
   CHECK_EQ(cache.stats().evictions, 0u);

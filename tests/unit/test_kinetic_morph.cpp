@@ -5,7 +5,7 @@
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/morph.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
 
@@ -181,10 +181,11 @@ TEST(morphs_end_as_plain_glyphs) {
       Canvas canvas = {second, kScreen};
       const uint16_t glyph = end == 0 ? from : to;
       const int32_t advance_q6 = font.advance(glyph) * 48 * 64 / 1024;
-      draw_glyph(font, glyph, style,
+      Painter(canvas.sink())
+          .glyph(font, style,
                  {Q26_6::from_raw((kWidth * 64 - advance_q6) / 2),
                   Q26_6::from_int(kBox.baseline)},
-                 canvas.sink());
+                 glyph);
       CHECK(ink(second) > 255 * 100);
       for (int32_t i = 0; i < kWidth * kHeight; ++i) {
         CHECK_EQ(picture[i], second[i]);
@@ -293,7 +294,7 @@ TEST(offsets_move_edges) {
     Style style(kSize, filter);
     clear(second);
     Canvas plain = {second, kScreen};
-    draw_glyph(font, kDiscGlyph, style, origin, plain.sink());
+    Painter(plain.sink()).glyph(font, style, origin, kDiscGlyph);
     for (int32_t i = 0; i < kWidth * kHeight; ++i) {
       CHECK(magnitude(picture[i] - second[i]) <= 16);
     }

@@ -4,7 +4,7 @@
 #include "inkcell/kinetic/pose_renderer.hpp"
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/timeline.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
@@ -182,7 +182,7 @@ TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
       clear(second);
       Canvas canvas(second, kScreen);
       Style style(Q26_6::from_raw(size_q6), kFilterMotion);
-      draw_glyph(font, glyph, style, plain.at, canvas.sink());
+      Painter(canvas.sink()).glyph(font, style, plain.at, glyph);
       CHECK(ink(second) > 255 * 20);
       for (int32_t i = 0; i < kWidth * kHeight; ++i) {
         CHECK_EQ(picture[i], second[i]);

@@ -2,9 +2,9 @@
 #include "check.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/stroke.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
 
@@ -85,7 +85,7 @@ void draw(Picture<kWidth, kHeight>& picture,
           uint16_t glyph,
           const Style& style,
           Point origin) {
-  draw_glyph(open(), glyph, style, origin, picture.sink());
+  Painter(picture.sink()).glyph(open(), style, origin, glyph);
 }
 
 // In the middle of the sheet below.
@@ -164,7 +164,7 @@ void check_same(int32_t apart = 0) {
 
 void draw_whole(const Font& font, uint16_t glyph, const Style& style) {
   Sheet sheet;
-  draw_glyph(font, glyph, style, kMiddle, sheet.sink());
+  Painter(sheet.sink()).glyph(font, style, kMiddle, glyph);
 }
 
 // Every style that outlines have.
@@ -315,10 +315,10 @@ TEST(windows_leave_the_picture) {
         Sheet windows;
         const int32_t x = kAll.x0 + cut;
         for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
-          draw_glyph(font, glyph, style, kMiddle,
-                     windows.sink({kAll.x0, y, x, y + cut}), {ram, 928});
-          draw_glyph(font, glyph, style, kMiddle,
-                     windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})));
+          Painter(windows.sink({kAll.x0, y, x, y + cut}), {ram, 928})
+              .glyph(font, style, kMiddle, glyph);
+          Painter(windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})))
+              .glyph(font, style, kMiddle, glyph);
         }
         check_same();
       }
@@ -341,7 +341,7 @@ TEST(workspaces_leave_the_picture) {
           for (uint8_t& byte : ram) {
             byte = 0x5a;  // its content has no meaning
           }
-          draw_glyph(font, whole, style, kMiddle, part, {ram + odd, size});
+          Painter(part, {ram + odd, size}).glyph(font, style, kMiddle, whole);
         }
         check_same();
       }
@@ -408,7 +408,8 @@ TEST(areas_are_the_same_at_every_position) {
   for (int32_t x_q6 = 0; x_q6 < 64; x_q6 += 7) {
     for (int32_t y_q6 = 0; y_q6 < 64; y_q6 += 9) {
       Sheet sheet;
-      draw_glyph(font, square, style, at(x_q6, 20 * 64 + y_q6), sheet.sink());
+      Painter(sheet.sink())
+          .glyph(font, style, at(x_q6, 20 * 64 + y_q6), square);
       // 6 px by 6 px.
       CHECK(ink() >= 36 * 254 && ink() <= 36 * 256);
     }

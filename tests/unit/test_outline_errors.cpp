@@ -1,7 +1,7 @@
 // How far pictures of outlines are from the truth: areas against polygons that
 // are cut exactly, coverage by distance against the nearest edge of all.
 #include "check.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "random.hpp"
@@ -82,8 +82,8 @@ void draw_outline(Span<const OutlinePoint> outline,
       pixel = 0;
     }
   }
-  draw_glyph(font, 1, style, {Q26_6::from_raw(at.x), Q26_6::from_raw(at.y)},
-             {{0, 0, kSide, kSide}, nullptr, put, fill});
+  Painter({{0, 0, kSide, kSide}, nullptr, put, fill})
+      .glyph(font, style, {Q26_6::from_raw(at.x), Q26_6::from_raw(at.y)}, 1);
 }
 
 Setting random_setting(Random& random) {

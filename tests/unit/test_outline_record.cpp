@@ -1,7 +1,7 @@
 // Whether fonts that outline_record.hpp makes are read as they were meant.
 #include "check.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
 
@@ -19,9 +19,9 @@ bool open(Font& font) {
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture, const Font& font, uint16_t glyph) {
   Style style(16_px, kFilterText);
-  draw_glyph(font, glyph, style,
-             {Q26_6::from_int(0), Q26_6::from_int(kHeight - 1)},
-             picture.sink());
+  Painter(picture.sink())
+      .glyph(font, style, {Q26_6::from_int(0), Q26_6::from_int(kHeight - 1)},
+             glyph);
 }
 
 TEST(outlines_are_drawn) {

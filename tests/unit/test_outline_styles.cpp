@@ -3,10 +3,10 @@
 #include "check.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
-#include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
@@ -69,7 +69,8 @@ Style style_of(const Effect& effect) {
 
 void draw(const Font& font, uint16_t glyph, const Style& style, Canvas& out) {
   out.clear();
-  draw_glyph(font, glyph, style, kOrigin, out.sink(kAll), {ram, sizeof(ram)});
+  Painter(out.sink(kAll), {ram, sizeof(ram)})
+      .glyph(font, style, kOrigin, glyph);
 }
 
 int32_t magnitude(int32_t value) {
@@ -142,7 +143,8 @@ void check_strips(const Font& font, uint16_t glyph, const Style& style) {
       other.clear();
       for (int32_t y = 0; y < kHeight; y += rows) {
         const Rect part = intersect(kAll, {0, y, kWidth, y + rows});
-        draw_glyph(font, glyph, style, kOrigin, other.sink(part), {ram, bytes});
+        Painter(other.sink(part), {ram, bytes})
+            .glyph(font, style, kOrigin, glyph);
       }
       check_same();
       if (check::failed()) {
@@ -355,7 +357,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
                              exact[kWidth + y * window.x1 + x + i] = 255;
                            }
                          }};
-      draw_glyph(font, glyph, thirds, origin, sink);
+      Painter(sink).glyph(font, thirds, origin, glyph);
       const int32_t step = is_down ? kWidth : 1;
       for (int32_t y = 0; y < kHeight; ++y) {
         for (int32_t x = 0; x < kWidth; ++x) {

@@ -1,7 +1,7 @@
 // Text: UTF-8, layout, measures, and drawing runs.
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/glyph_field.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 
 #include "check.hpp"
 #include "font_builder.hpp"
@@ -441,9 +441,9 @@ TEST(a_run_is_its_glyphs) {
   Span<const PositionedGlyph> run;
   CHECK_OK(lay_out(font, "AB C", buffer, run));
   Ink whole;
-  draw(font, run, style, at(3, 40), whole.sink());
+  Painter(whole.sink()).glyphs(font, style, at(3, 40), run);
   Ink streamed;
-  draw_text(font, "AB C", style, at(3, 40), streamed.sink());
+  Painter(streamed.sink()).text(font, style, at(3, 40), "AB C");
   CHECK(same(whole, streamed));
   Ink single;
   for (const PositionedGlyph& glyph : run) {
@@ -456,9 +456,9 @@ TEST(a_run_is_its_glyphs) {
   }
   CHECK(same(whole, single));
   Ink alone;
-  draw_glyph(font, 2, style, at(3, 40), alone.sink());
+  Painter(alone.sink()).glyph(font, style, at(3, 40), 2);
   Ink first;
-  draw(font, {buffer, 1}, style, at(3, 40), first.sink());
+  Painter(first.sink()).glyphs(font, style, at(3, 40), {buffer, 1});
   CHECK(alone.sum > 0);
   CHECK(same(alone, first));
 }
@@ -471,9 +471,9 @@ TEST(positions_in_a_run_go_up) {
   glyph.x = 1000;
   glyph.y = 500;
   Ink raised;
-  draw(font, {&glyph, 1}, style, at(0, 20), raised.sink());
+  Painter(raised.sink()).glyphs(font, style, at(0, 20), {&glyph, 1});
   Ink plain;
-  draw_glyph(font, 2, style, at(10, 15), plain.sink());
+  Painter(plain.sink()).glyph(font, style, at(10, 15), 2);
   CHECK(same(raised, plain));
 }
 
@@ -487,9 +487,9 @@ TEST(turned_runs_follow_their_direction) {
   glyph.glyph = 2;
   glyph.x = 1000;
   Ink moved;
-  draw(font, {&glyph, 1}, style, at(50, 50), moved.sink());
+  Painter(moved.sink()).glyphs(font, style, at(50, 50), {&glyph, 1});
   Ink plain;
-  draw_glyph(font, 2, style, at(50, 30), plain.sink());
+  Painter(plain.sink()).glyph(font, style, at(50, 30), 2);
   CHECK(plain.sum > 0);
   CHECK(same(moved, plain));
 }
@@ -498,11 +498,11 @@ TEST(absent_glyphs_are_left_out) {
   const Font font = sample();
   const Style style = style_of(20);
   Ink ink;
-  draw_glyph(font, 1, style, at(0, 0), ink.sink());
-  draw_glyph(font, 5, style, at(0, 0), ink.sink());
-  draw_glyph(font, 65535, style, at(0, 0), ink.sink());
-  draw_text(Font{}, "AB", style, at(0, 0), ink.sink());
-  draw_text(font, "", style, at(0, 0), ink.sink());
+  Painter(ink.sink()).glyph(font, style, at(0, 0), 1);
+  Painter(ink.sink()).glyph(font, style, at(0, 0), 5);
+  Painter(ink.sink()).glyph(font, style, at(0, 0), 65535);
+  Painter(ink.sink()).text(Font{}, style, at(0, 0), "AB");
+  Painter(ink.sink()).text(font, style, at(0, 0), "");
   CHECK_EQ(ink.sum, 0);
 }
 
@@ -511,7 +511,7 @@ TEST(draws_text_as_expected) {
   const Style style = style_of(12);
   Picture<24, 10> picture;
   picture.next_glyph();
-  draw_text(font, "AB", style, at(1, 9), picture.sink());
+  Painter(picture.sink()).text(font, style, at(1, 9), "AB");
   CHECK_PICTURE(picture,
                 ".....:..................\n"
                 "...+*#*+...:++:.........\n"
@@ -537,11 +537,11 @@ TEST(positions_do_not_wrap) {
     Ink ink;
     Sink sink = ink.sink();
     sink.window = {0, 0, 40, 40};
-    draw(font, {&glyph, 1}, style, origin, sink);
+    Painter(sink).glyphs(font, style, origin, {&glyph, 1});
     CHECK_EQ(ink.sum > 0, x == 0);
     ink.sum = 0;
-    draw_glyph(font, 2, style,
-               {Q26_6::from_raw(origin.x.raw + x * 64), origin.y}, sink);
+    Painter(sink).glyph(font, style,
+                        {Q26_6::from_raw(origin.x.raw + x * 64), origin.y}, 2);
     CHECK_EQ(ink.sum > 0, x == 0);
   }
 }
@@ -560,7 +560,7 @@ TEST(far_positions_are_harmless) {
         glyph.x = x;
         glyph.y = static_cast<int16_t>(y);
         const Point origin = {Q26_6::from_raw(y), Q26_6::from_raw(x)};
-        draw(font, {&glyph, 1}, style, origin, ink.sink());
+        Painter(ink.sink()).glyphs(font, style, origin, {&glyph, 1});
         CHECK_EQ(ink.sum, 0);
       }
     }

@@ -1,5 +1,6 @@
 // The layout on a screen of any size, and the animation.
 #include "scene.hpp"
+#include "inkcell/painter.hpp"
 
 #include INKCELL_DEMO_CODING_HEADER
 #include INKCELL_DEMO_FONT_HEADER
@@ -149,15 +150,15 @@ void Scene::draw(const Strip& strip) noexcept {
   Canvas canvas(strip);
   const Workspace ram =
       kLentBytes == 0 ? Workspace() : Workspace(ram_, sizeof ram_);
-  inkcell::draw(font_, clock_.used, clock_look_.style, clock_.origin,
-                canvas.sink(Ink::clock), ram);
+  inkcell::Painter(canvas.sink(Ink::clock), ram)
+      .glyphs(font_, clock_look_.style, clock_.origin, clock_.used);
   for (int32_t i = 0; i < kBodyLines; ++i) {
-    inkcell::draw(font_, body_[i].used, text_look_.style, body_[i].origin,
-                  canvas.sink(Ink::text), ram);
+    inkcell::Painter(canvas.sink(Ink::text), ram)
+        .glyphs(font_, text_look_.style, body_[i].origin, body_[i].used);
   }
   const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
-  inkcell::draw(font_, moving_.used, moving_look_.style, moving_.origin,
-                right_of(canvas.sink(Ink::moving), left), ram);
+  inkcell::Painter(right_of(canvas.sink(Ink::moving), left), ram)
+      .glyphs(font_, moving_look_.style, moving_.origin, moving_.used);
 }
 
 int32_t Scene::missing_characters() const noexcept {

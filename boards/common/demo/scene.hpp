@@ -12,6 +12,8 @@
 #include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
+#include "inkcell/strip.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 

@@ -8,6 +8,7 @@
 #include "inkcell/kinetic/body_shape.hpp"
 #include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
 namespace inkcell {

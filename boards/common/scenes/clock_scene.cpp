@@ -3,6 +3,7 @@
 
 #include "inkcell/kinetic/easing.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/painter.hpp"
 
 namespace inkcell {
 namespace scenes {
@@ -150,8 +151,8 @@ void ClockScene::draw_colon(const Paper& paper) const noexcept {
   const int32_t x_q6 = left_q6 + (layout_.colon_px * 64 - advance_q6) / 2;
   // A little above the baseline: the middle of the digits.
   const int32_t y = layout_.top + layout_.box.baseline - layout_.size_px / 11;
-  draw_glyph(font_, colon_, style, {Q26_6::from_raw(x_q6), Q26_6::from_int(y)},
-             paper.with(kColonInk), workspace_);
+  Painter(paper.with(kColonInk), workspace_)
+      .glyph(font_, style, {Q26_6::from_raw(x_q6), Q26_6::from_int(y)}, colon_);
 }
 
 void ClockScene::draw(const Paper& paper) noexcept {

@@ -7,6 +7,7 @@
 #include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/morph.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
 namespace inkcell {

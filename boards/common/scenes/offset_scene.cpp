@@ -7,6 +7,7 @@
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
 
 namespace inkcell {
@@ -192,7 +193,8 @@ void OffsetScene::draw(const Paper& paper) noexcept {
                 paper.with(kBands[i]));
   }
   const Style style(place_.size, kFilterMotion);
-  draw_text(font_, text_, style, place_.origin, paper.with(kBody), workspace_);
+  Painter(paper.with(kBody), workspace_)
+      .text(font_, style, place_.origin, text_);
   const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);
   for (const Particle& p : particles_) {
     if (is_near(p, paper.window)) {

@@ -9,6 +9,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paint_text.hpp"
 #include "paper.hpp"
 

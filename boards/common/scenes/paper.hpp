@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/span.hpp"

@@ -6,6 +6,7 @@
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
 
 namespace inkcell {
@@ -276,7 +277,7 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
   // It cools down while it appears.
   const Sink& ink = paper.with(mix_rgb(kSlow, kInk, opacity));
   const Fade fade = {&ink, static_cast<uint8_t>(opacity)};
-  draw_text(font_, word(word_), style, origin_, make_sink(fade), workspace_);
+  Painter(make_sink(fade), workspace_).text(font_, style, origin_, word(word_));
 }
 
 void ParticleScene::draw_particles(const Paper& paper) const noexcept {

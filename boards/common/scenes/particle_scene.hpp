@@ -12,6 +12,7 @@
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/pose_renderer.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
 namespace inkcell {

@@ -8,6 +8,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
 namespace inkcell {

@@ -8,6 +8,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
 namespace inkcell {

@@ -2,22 +2,21 @@
 
 #include "base/math.hpp"
 #include "glyph_store.hpp"
+#include "inkcell/assert.hpp"
 #include "row_codes.hpp"
-#include "text/text_place.hpp"
+#include "text/glyph_run.hpp"
 
 namespace inkcell {
 
 using detail::CachedGlyph;
+using detail::GlyphRun;
 using detail::GlyphStore;
 using detail::kMostRowValues;
 using detail::max;
 using detail::min;
 using detail::most_row_bytes;
 using detail::Packing;
-using detail::place_near;
 using detail::Placed;
-using detail::run_origin;
-using detail::UnitScale;
 
 namespace {
 
@@ -30,53 +29,43 @@ constexpr int32_t kMostRows = 255;
 // Rows that are drawn at once, if there is room for them.
 constexpr int32_t kRowsAtOnce = 32;
 
-// One call of draw().
+// A glyph of a run to draw.
 struct Call {
-  GlyphStore* store;  // null: nothing is kept
-  const Font& font;
-  const Style& style;
-  const Sink& sink;
-  Workspace workspace;
-  uint32_t slot = 0;
-  uint32_t shift = 0;  // from px, Q10, to phases
+  GlyphStore& store;
+  GlyphRun& run;
   Packing packing = {8, 1};
 
-  void open() noexcept {
-    if (sink.coverage_rgb != nullptr && style.effect() != nullptr) {
+  const Sink& sink() const noexcept { return run.painter.sink(); }
+
+  Call(GlyphStore& cache, GlyphRun& glyphs) noexcept
+      : store(cache), run(glyphs) {
+    if (sink().coverage_rgb != nullptr && run.style->effect() != nullptr) {
       packing.channels = 3;
     }
-    packing.bits = store->options().bits;
-    shift = store->phase_shift();
-    slot = store->slot_of(font, style, packing.channels);
+    packing.bits = store.options().bits;
+    if (run.state == 0) {
+      run.state = store.slot_of(*run.font, *run.style, packing.channels) + 1;
+    }
   }
+  uint32_t slot() const noexcept { return run.state - 1; }
 };
 
-// Where a glyph is drawn: the pixel of its origin, and the phase in it.
+// Where a glyph is drawn: the pixel of its origin, and the phase in it. [Q10]
 struct Place {
-  uint32_t shift;
   int32_t x;
   int32_t y;
-  uint32_t x_phase;
-  uint32_t y_phase;
+  int32_t x_q10;
+  int32_t y_q10;
 
-  Place(const Placed& placed, uint32_t phase_shift) noexcept
-      : shift(phase_shift) {
-    const int32_t half = (1 << shift) >> 1;
-    const int32_t x_q10 = placed.x_q10 + half;
-    const int32_t y_q10 = placed.y_q10 + half;
-    x = x_q10 >> 10;
-    y = y_q10 >> 10;
-    x_phase = (static_cast<uint32_t>(x_q10) & 1023) >> shift;
-    y_phase = (static_cast<uint32_t>(y_q10) & 1023) >> shift;
-  }
+  explicit Place(const Placed& at) noexcept
+      : x(at.x_q10 >> 10),
+        y(at.y_q10 >> 10),
+        x_q10(at.x_q10 & 1023),
+        y_q10(at.y_q10 & 1023) {}
 
-  // The origin of a glyph whose pixel is (`x_px`, `y_px`).
-  Point origin(int32_t x_px, int32_t y_px) const noexcept {
-    const auto at = [this](int32_t px, uint32_t phase) noexcept {
-      return Q26_6::from_raw(px * 64 +
-                             static_cast<int32_t>(phase << shift >> 4));
-    };
-    return {at(x_px, x_phase), at(y_px, y_phase)};
+  // Phases are at least 1/64 px.
+  Point origin() const noexcept {
+    return {Q26_6::from_raw(x_q10 >> 4), Q26_6::from_raw(y_q10 >> 4)};
   }
 };
 
@@ -127,7 +116,7 @@ __attribute__((noinline)) const CachedGlyph* record(const Call& call,
                                                     uint32_t key,
                                                     const Point& origin,
                                                     const Rect& box) noexcept {
-  GlyphStore& store = *call.store;
+  GlyphStore& store = call.store;
   const int32_t width = box.x1 - box.x0;
   const int32_t rows = box.y1 - box.y0;
   const int32_t stride = width * call.packing.channels;
@@ -172,8 +161,9 @@ __attribute__((noinline)) const CachedGlyph* record(const Call& call,
     recorder.window.y1 = min(y + drawn, box.y1);
     sink.window = recorder.window;
     __builtin_memset(bytes, 0, static_cast<size_t>(drawn * stride));
-    draw_glyph(call.font, static_cast<uint16_t>(key), call.style, origin, sink,
-               call.workspace);
+    Painter(sink, call.run.painter.ram())
+        .glyph(*call.run.font, *call.run.style, origin,
+               static_cast<uint16_t>(key));
     for (int32_t row = y; row < recorder.window.y1; ++row) {
       while (bytes - store.data_end() < row_bytes && store.evict(1)) {
       }
@@ -190,80 +180,59 @@ __attribute__((noinline)) const CachedGlyph* record(const Call& call,
   return &store.last();
 }
 
-void draw_kept(const Call& call,
-               const CachedGlyph& glyph,
-               const Place& place) noexcept {
-  const int32_t x = place.x + glyph.x0;
-  const int32_t y = place.y + glyph.y0;
-  detail::replay(call.store->begin_of(glyph), call.packing,
-                 {x, y, x + glyph.width, y + glyph.rows}, call.sink);
-}
-
 // Draws a glyph that is not held into an entry; null: it is too large for one
 // and was drawn, or it does not show.
 __attribute__((noinline)) const CachedGlyph* draw_new(
-    const Call& call, uint32_t key, const Place& place) noexcept {
+    const Call& call, uint32_t key, const Placed& at) noexcept {
   const auto glyph = static_cast<uint16_t>(key);
-  if (call.store != nullptr) {
-    const Point origin = place.origin(0, 0);
-    const Rect box = glyph_box(call.font, glyph, call.style, origin);
-    const Rect shown = {box.x0 + place.x, box.y0 + place.y, box.x1 + place.x,
-                        box.y1 + place.y};
-    if (is_empty(box) || is_empty(intersect(shown, call.sink.window))) {
-      return nullptr;
-    }
-    const CachedGlyph* const kept = record(call, key, origin, box);
-    call.store->count_drawn(kept != nullptr);
-    if (kept != nullptr) {
-      return kept;
-    }
+  const Rect shown = detail::box_of(call.run, glyph, at);
+  if (is_empty(intersect(shown, call.sink().window))) {
+    INKCELL_ASSERT(call.run.font->check(*call.run.style) == Status::ok);
+    return nullptr;
   }
-  draw_glyph(call.font, glyph, call.style, place.origin(place.x, place.y),
-             call.sink, call.workspace);
-  return nullptr;
+  const Place place(at);
+  const CachedGlyph* const kept =
+      record(call, key, place.origin(),
+             {shown.x0 - place.x, shown.y0 - place.y, shown.x1 - place.x,
+              shown.y1 - place.y});
+  call.store.count_drawn(kept != nullptr);
+  if (kept == nullptr) {
+    detail::draw_plain(call.run, glyph, at);
+  }
+  return kept;
 }
 
-void draw_placed(const Call& call,
-                 uint16_t glyph,
-                 const Placed& placed) noexcept {
-  const Place place(placed, call.shift);
+}  // namespace
+
+void GlyphCache::draw_kept(GlyphRun& run,
+                           uint16_t glyph,
+                           const Placed& placed) noexcept {
+  const auto& self = static_cast<const GlyphCache&>(run.painter.drawer());
+  if (self.store_ == nullptr) {
+    detail::draw_plain(run, glyph, placed);
+    return;
+  }
+  const Call call(*self.store_, run);
+  const uint32_t shift = self.phase_shift;
+  const Placed at = detail::at_phase(placed, shift);
+  const Place place(at);
   const uint32_t key =
-      call.slot << 28 | place.y_phase << 22 | place.x_phase << 16 | glyph;
-  const CachedGlyph* held =
-      call.store == nullptr ? nullptr : call.store->find(key);
+      call.slot() << 28 | static_cast<uint32_t>(place.y_q10) >> shift << 22 |
+      static_cast<uint32_t>(place.x_q10) >> shift << 16 | glyph;
+  const CachedGlyph* held = call.store.find(key);
   if (held != nullptr) {
-    call.store->count_hit();
+    call.store.count_hit();
   } else {
-    held = draw_new(call, key, place);
+    held = draw_new(call, key, at);
     if (held == nullptr) {
       return;
     }
   }
-  draw_kept(call, *held, place);
+  const int32_t x = place.x + held->x0;
+  const int32_t y = place.y + held->y0;
+  detail::replay(call.store.begin_of(*held), call.packing,
+                 {x, y, x + held->width, y + held->rows}, call.sink());
 }
-
-// Draws the glyphs that `next` gives, which `run` places. A call that draws
-// none takes no slot from other styles.
-template <typename Next>
-void draw_run(Call&& call, const Face& run, Point origin, Next next) noexcept {
-  PositionedGlyph at;
-  if (!next(at)) {
-    return;
-  }
-  if (call.store != nullptr) {
-    call.open();
-  }
-  const UnitScale scale(*run.font, *run.style);
-  origin = run_origin(*run.style, origin);
-  Placed placed;
-  do {
-    if (place_near(scale, *run.style, origin, at, placed)) {
-      draw_placed(call, at.glyph, placed);
-    }
-  } while (next(at));
-}
-
-}  // namespace
 
 Status GlyphCache::make(Span<uint8_t> ram,
                         const GlyphCacheOptions& options,
@@ -280,56 +249,13 @@ Status GlyphCache::make(Span<uint8_t> ram,
   if (ram.size < options.styles * kMinBytes) {
     return Status::buffer_small;
   }
-  out.store_ = reinterpret_cast<GlyphStore*>(ram.data);
-  out.store_->open({ram.data, ram.size < kMostBytes ? ram.size : kMostBytes},
-                   options);
+  GlyphCache made;
+  made.store_ = reinterpret_cast<GlyphStore*>(ram.data);
+  made.store_->open({ram.data, ram.size < kMostBytes ? ram.size : kMostBytes},
+                    options);
+  made.phase_shift = static_cast<uint8_t>(made.store_->phase_shift());
+  out = made;
   return Status::ok;
-}
-
-void GlyphCache::draw(const Font& font,
-                      Span<const PositionedGlyph> glyphs,
-                      const Style& style,
-                      Point origin,
-                      const Sink& sink,
-                      Workspace workspace) noexcept {
-  draw(Face{&font, &style}, {}, glyphs, origin, sink, workspace);
-}
-
-void GlyphCache::draw(const Face& face,
-                      Span<const Face> fallback,
-                      Span<const PositionedGlyph> glyphs,
-                      Point origin,
-                      const Sink& sink,
-                      Workspace workspace) noexcept {
-  // Face by face, so that each looks for its slot once.
-  for (uint32_t i = 0; i <= fallback.size; ++i) {
-    const Face& own = i == 0 ? face : fallback[i - 1];
-    const PositionedGlyph* at = glyphs.begin();
-    const auto next = [&](PositionedGlyph& out) noexcept {
-      while (at != glyphs.end() && at->face != i) {
-        ++at;
-      }
-      const bool is_glyph = at != glyphs.end();
-      if (is_glyph) {
-        out = *at++;
-      }
-      return is_glyph;
-    };
-    draw_run(Call{store_, *own.font, *own.style, sink, workspace}, face, origin,
-             next);
-  }
-}
-
-void GlyphCache::draw_text(const Font& font,
-                           Text text,
-                           const Style& style,
-                           Point origin,
-                           const Sink& sink,
-                           Workspace workspace) noexcept {
-  TextCursor cursor(font, text, style);
-  draw_run(
-      Call{store_, font, style, sink, workspace}, Face{&font, &style}, origin,
-      [&cursor](PositionedGlyph& out) noexcept { return cursor.next(out); });
 }
 
 void GlyphCache::clear() noexcept {

@@ -10,6 +10,7 @@
 namespace inkcell {
 
 class Font;
+class Style;
 
 namespace detail {
 // What all outlines of a font share: sections CODE and GLYF.
@@ -104,6 +105,12 @@ class Font {
   /// Never needed for safety; for a factory test or after an update. Time is
   /// proportional to the font's size. corrupt: something does not fit.
   Status verify() const noexcept;
+
+  /// Whether a style draws glyphs of this font: the one place that refuses it.
+  /// unsupported: the style's effect does not take this font, and nothing would
+  /// show. Outlines take neither splats nor circle samples; fields do, but not
+  /// with a style that stretches.
+  Status check(const Style& style) const noexcept;
 
   uint16_t glyph_count() const noexcept { return glyph_count_; }
   FontMetrics metrics() const noexcept;

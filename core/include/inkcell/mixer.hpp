@@ -42,7 +42,7 @@ struct Mixer {
   /// Draws band.pixels() into band.sink().
   void (*mix)(const Effect& effect, GlyphBand& band) noexcept;
   /// Whether it draws glyphs of a field, or of outlines, with this style.
-  /// False: check_effect() answers `unsupported`, and nothing is drawn. Null:
+  /// False: Font::check() answers `unsupported`, and nothing is drawn. Null:
   /// always.
   bool (*can_draw)(const Effect& effect,
                    const Style& style,

@@ -1,7 +1,7 @@
 // A glyph of outlines that is decoded once and drawn into many strips.
 //
-// draw_glyph decodes a glyph anew for each strip, which costs about a tenth of
-// drawing it. For large digits drawn in low strips:
+// Painter::glyph decodes a glyph anew for each strip, which costs about a tenth
+// of drawing it. For large digits drawn in low strips:
 //
 //   PreparedGlyph digit;
 //   INKCELL_TRY(PreparedGlyph::make(font, glyph, style, origin, ram, digit));
@@ -27,7 +27,7 @@ class PreparedGlyph {
 
   /// Places a glyph with its origin at `origin`. The workspace gives 8 bytes to
   /// each point and the rest to rows: 2.5 KB hold every glyph of a Latin face
-  /// and 16 rows of 96 px. The picture is that of draw_glyph.
+  /// and 16 rows of 96 px. The picture is that of Painter::glyph.
   ///
   /// buffer_small: the workspace has less than 860 bytes, or 928 where pointers
   /// have 64 bits. no_glyph: there is no glyph of this id. unsupported: it is

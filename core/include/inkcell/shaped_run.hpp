@@ -4,17 +4,15 @@
 // shaper, which runs in the generator: `inkcell-fontgen --strings` makes runs
 // of glyphs, in ROM beside their font (docs/STRINGS.md).
 //
-//   draw(font, fonts::ui_strings::title, style, origin, sink);
+//   painter.text(font, style, origin, fonts::ui_strings::title);
 #pragma once
 
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 
@@ -60,14 +58,5 @@ TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;
 TextMeasure measure(const Font& font,
                     const ShapedRun& run,
                     const Style& style) noexcept;
-
-/// Draws a run with the left end of its baseline at `origin`, along the style's
-/// direction and with its advances. Takes no buffer; clips, and cannot fail.
-void draw(const Font& font,
-          const ShapedRun& run,
-          const Style& style,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace = {}) noexcept;
 
 }  // namespace inkcell

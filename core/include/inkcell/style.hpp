@@ -146,7 +146,7 @@ class Style {
 
   /// Sets the effect that draws the glyphs (effect.hpp), which must outlive the
   /// style. Without one, the default, a pixel takes one sample at its centre,
-  /// which is the fastest. check_effect() refuses pairs of font and effect that
+  /// which is the fastest. Font::check() refuses pairs of font and effect that
   /// draw nothing.
   constexpr Style& set_effect(const Effect& effect) noexcept {
     effect_ = &effect;

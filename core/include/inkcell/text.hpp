@@ -1,4 +1,4 @@
-// Lines of text: UTF-8 to positioned glyphs, and those to pixels.
+// Lines of text: UTF-8 to positioned glyphs, which painter.hpp draws.
 //
 // Layout knows no size: positions are in font units, unrounded, so that one
 // layout serves every size, strip and frame. Only text that is fitted across
@@ -10,12 +10,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 
@@ -136,55 +134,17 @@ TextMeasure measure(const Font& font, Text text, const Style& style) noexcept;
 /// clamped to the range of Q26_6.
 Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept;
 
-/// unsupported: the style's effect does not draw glyphs of this font, and
-/// nothing shows. Outlines take neither splats nor circle samples; fields do,
-/// but not with a style that stretches.
-Status check_effect(const Font& font, const Style& style) noexcept;
+/// TextMeasure in px from the line's origin, y down, before the style turns it.
+struct PixelMeasure {
+  Q26_6 advance;
+  Q26_6 left;
+  Q26_6 top;
+  Q26_6 right;
+  Q26_6 bottom;
+};
 
-/// Draws laid-out glyphs with the run's origin (left end of its baseline) at
-/// `origin`, along the style's direction. Glyphs outside the sink's window cost
-/// little: their cells are not touched. Cannot fail: it clips, and glyphs that
-/// the font lacks are left out. Positions are clamped to +-2^24 font units.
-void draw(const Font& font,
-          Span<const PositionedGlyph> glyphs,
-          const Style& style,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace = {}) noexcept;
-
-/// The same for runs of several fonts. Positions are in units of `face`, along
-/// the direction of its style; `fallback` has the faces of other glyphs, of any
-/// size. Glyphs of faces beyond its end are left out.
-void draw(const Face& face,
-          Span<const Face> fallback,
-          Span<const PositionedGlyph> glyphs,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace = {}) noexcept;
-
-/// Lays out and draws one line, with the advances of the style. For a screen
-/// drawn in many strips, `lay_out` once and `draw` for each is faster.
-void draw_text(const Font& font,
-               Text text,
-               const Style& style,
-               Point origin,
-               const Sink& sink,
-               Workspace workspace = {}) noexcept;
-
-/// The pixels that draw_glyph may touch, with filter, grid fitting and effect,
-/// whatever the window is; few of them at its edges stay empty. Empty if the
-/// glyph shows nothing.
-Rect glyph_box(const Font& font,
-               uint16_t glyph,
-               const Style& style,
-               Point origin) noexcept;
-
-/// Draws one glyph by its id, with its origin at `origin`.
-void draw_glyph(const Font& font,
-                uint16_t glyph,
-                const Style& style,
-                Point origin,
-                const Sink& sink,
-                Workspace workspace = {}) noexcept;
+PixelMeasure to_px(const Font& font,
+                   const Style& style,
+                   const TextMeasure& measure) noexcept;
 
 }  // namespace inkcell

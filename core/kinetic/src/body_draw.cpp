@@ -101,7 +101,7 @@ bool have_common(const Rect& a, const Rect& b) noexcept {
   return !is_empty(intersect(a, b));
 }
 
-struct Painter {
+struct BodyPainter {
   View own;
   View others[kMostNeighbours];
   size_t count;
@@ -206,7 +206,7 @@ void draw_body(Span<const Body> bodies,
   if (is_empty(box) || !have_common(box, sink.window)) {
     return;
   }
-  Painter painter = {{}, {}, 0, walls, filter};
+  BodyPainter painter = {{}, {}, 0, walls, filter};
   look_at(body, box.x0, box.y0, painter.own);
   const size_t most = rules.overlap.raw > 0 ? kMostNeighbours : 0;
   for (size_t i = 0; i < bodies.size && painter.count < most; ++i) {

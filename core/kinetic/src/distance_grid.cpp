@@ -2,9 +2,9 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 
 #include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
 #include "known_span.hpp"
 
 namespace inkcell {
@@ -111,7 +111,7 @@ Status DistanceGrid::paint(const Font& font,
   INKCELL_TRY(check_reach(font.range(), painted, kFilterDistance));
   const Point at = {Q26_6::from_raw(origin.x.raw >> scale_log2_),
                     Q26_6::from_raw(origin.y.raw >> scale_log2_)};
-  draw_glyph(font, glyph, style, at, sink(), workspace);
+  Painter(sink(), workspace).glyph(font, style, at, glyph);
   return Status::ok;
 }
 

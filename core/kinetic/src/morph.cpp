@@ -3,8 +3,8 @@
 
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/run.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -120,10 +120,11 @@ void GlyphMorph::draw(int32_t x,
   }
   const Style style(size_, filter);
   const Point at = origin_of(glyph);
-  draw_glyph(
-      font_, glyph, style,
-      {Q26_6::from_raw(at.x.raw + x * 64), Q26_6::from_raw(at.y.raw + y * 64)},
-      clipped, workspace_);
+  Painter(clipped, workspace_)
+      .glyph(font_, style,
+             {Q26_6::from_raw(at.x.raw + x * 64),
+              Q26_6::from_raw(at.y.raw + y * 64)},
+             glyph);
 }
 
 }  // namespace kinetic

@@ -2,7 +2,7 @@
 #include "inkcell/kinetic/pose_renderer.hpp"
 
 #include "inkcell/kinetic/fade.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -149,8 +149,8 @@ void PoseRenderer::draw(Span<const PosedGlyph> glyphs,
       continue;
     }
     const Fade fade = {&sink, glyph.pose.opacity};
-    draw_glyph(font_, glyph.glyph, style_, map.origin, make_sink(fade),
-               workspace_);
+    Painter(make_sink(fade), workspace_)
+        .glyph(font_, style_, map.origin, glyph.glyph);
   }
 }
 

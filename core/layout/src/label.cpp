@@ -1,4 +1,5 @@
 #include "inkcell/layout/label.hpp"
+#include "inkcell/painter.hpp"
 
 #include "next_line.hpp"
 #include "pen.hpp"
@@ -101,9 +102,10 @@ void ScrollingLabel::draw(Q26_6 scroll,
   };
   const size_t first = first_from(units(left_px - kBeyond) - reach_);
   const size_t end = first_from(units(right_px + kBeyond) + reach_);
-  inkcell::draw(face_, fallback_, {glyphs_.data + first, end - first},
-                {Q26_6::from_raw(window_.x0 * 64 - scroll.raw), baseline_},
-                clipped, workspace);
+  inkcell::Painter(clipped, workspace)
+      .glyphs(face_, fallback_,
+              {Q26_6::from_raw(window_.x0 * 64 - scroll.raw), baseline_},
+              {glyphs_.data + first, end - first});
 }
 
 void ScrollingLabel::draw_endless(Q26_6 scroll,

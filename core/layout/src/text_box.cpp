@@ -1,4 +1,5 @@
 #include "inkcell/layout/text_box.hpp"
+#include "inkcell/painter.hpp"
 
 #include "line_cursor.hpp"
 #include "next_line.hpp"
@@ -146,8 +147,8 @@ __attribute__((noinline)) void draw_cell(const TextBox& box,
   Sink clipped = sink;
   clipped.window = intersect(sink.window, box.rect);
   const Point origin = {Q26_6::from_int(box.rect.x0), Q26_6::from_raw(y_q6)};
-  inkcell::draw(box.options.face, box.options.fallback, {&glyph, 1}, origin,
-                clipped, workspace);
+  inkcell::Painter(clipped, workspace)
+      .glyphs(box.options.face, box.options.fallback, origin, {&glyph, 1});
 }
 
 __attribute__((noinline)) void draw_line(const BoxLines& lines,

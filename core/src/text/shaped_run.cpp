@@ -1,5 +1,6 @@
 #include "inkcell/shaped_run.hpp"
 
+#include "inkcell/painter.hpp"
 #include "text/advances.hpp"
 #include "text/text_place.hpp"
 
@@ -153,17 +154,22 @@ TextMeasure measure(const Font& font,
   return measure(font, RunCursor(font, style), run);
 }
 
-void draw(const Font& font,
-          const ShapedRun& run,
-          const Style& style,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace) noexcept {
+// Here, so that text without runs does not link their cursor.
+void Painter::text(const Font& font,
+                   const Style& style,
+                   Point origin,
+                   const ShapedRun& run) const noexcept {
+  const detail::UnitScale scale(font, style);
   RunCursor cursor(font, style);
+  origin = detail::run_origin(style, origin);
+  detail::GlyphRun drawn = {*this, &font, &style};
   PositionedGlyph at;
+  detail::Placed placed;
   for (const ShapedGlyph& next : run.glyphs) {
     cursor.next(next, at);
-    draw(font, {&at, 1}, style, origin, sink, workspace);
+    if (detail::place_near(scale, style, origin, at, placed)) {
+      drawer_->draw(drawn, at.glyph, placed);
+    }
   }
 }
 

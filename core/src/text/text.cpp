@@ -1,8 +1,6 @@
 #include "inkcell/text.hpp"
 
 #include "inkcell/assert.hpp"
-#include "place/position.hpp"
-#include "rows/draw_bands.hpp"
 #include "text/find_glyph.hpp"
 #include "text/text_place.hpp"
 
@@ -10,9 +8,6 @@ namespace inkcell {
 namespace {
 
 using detail::Advances;
-using detail::place_near;
-using detail::Placed;
-using detail::run_origin;
 using detail::UnitScale;
 
 constexpr uint32_t kReplacement = 0xfffd;
@@ -42,20 +37,6 @@ bool begins_well(uint32_t count, uint32_t bits) noexcept {
     return bits >= 0x800 >> 6 && bits >> 5 != 0xd800 >> 11;
   }
   return count == 1 || bits - (0x10000 >> 12) < 0x100000 >> 12;
-}
-
-// Inline: a frame of its own would take more of the stack, and of code.
-__attribute__((always_inline)) inline void draw_placed(
-    const Font& font,
-    uint16_t glyph,
-    const Style& style,
-    const Placed& placed,
-    const Sink& sink,
-    const Workspace& workspace) noexcept {
-  if (font.source() != nullptr) {
-    detail::draw_bands({font.source(), &font, glyph}, style, placed, sink,
-                       workspace);
-  }
 }
 
 }  // namespace
@@ -203,85 +184,14 @@ Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {
       static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
 }
 
-Status check_effect(const Font& font, const Style& style) noexcept {
-  return font.source() == nullptr || detail::can_draw(*font.source(), style)
-             ? Status::ok
-             : Status::unsupported;
-}
-
-void draw(const Font& font,
-          Span<const PositionedGlyph> glyphs,
-          const Style& style,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace) noexcept {
-  draw(Face{&font, &style}, {}, glyphs, origin, sink, workspace);
-}
-
-void draw(const Face& face,
-          Span<const Face> fallback,
-          Span<const PositionedGlyph> glyphs,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace) noexcept {
-  INKCELL_ASSERT(face.font != nullptr && face.style != nullptr);
-  const UnitScale scale(*face.font, *face.style);
-  origin = run_origin(*face.style, origin);
-  for (const PositionedGlyph& at : glyphs) {
-    if (at.face > fallback.size) {
-      continue;
-    }
-    const Face& own = at.face == 0 ? face : fallback[at.face - 1u];
-    INKCELL_ASSERT(own.font != nullptr && own.style != nullptr);
-    Placed placed;
-    if (place_near(scale, *face.style, origin, at, placed)) {
-      draw_placed(*own.font, at.glyph, *own.style, placed, sink, workspace);
-    }
-  }
-}
-
-void draw_text(const Font& font,
-               Text text,
-               const Style& style,
-               Point origin,
-               const Sink& sink,
-               Workspace workspace) noexcept {
-  const UnitScale scale(font, style);
-  TextCursor cursor(font, text, style);
-  origin = run_origin(style, origin);
-  PositionedGlyph at;
-  while (cursor.next(at)) {
-    Placed placed;
-    if (place_near(scale, style, origin, at, placed)) {
-      draw_placed(font, at.glyph, style, placed, sink, workspace);
-    }
-  }
-}
-
-Rect glyph_box(const Font& font,
-               uint16_t glyph,
-               const Style& style,
-               Point origin) noexcept {
-  Placed placed;
-  if (!placed.set(origin)) {
-    return {};
-  }
-  if (font.source() == nullptr) {
-    return {};
-  }
-  return detail::band_box({font.source(), &font, glyph}, style, placed);
-}
-
-void draw_glyph(const Font& font,
-                uint16_t glyph,
-                const Style& style,
-                Point origin,
-                const Sink& sink,
-                Workspace workspace) noexcept {
-  Placed placed;
-  if (placed.set(origin)) {
-    draw_placed(font, glyph, style, placed, sink, workspace);
-  }
+PixelMeasure to_px(const Font& font,
+                   const Style& style,
+                   const TextMeasure& measure) noexcept {
+  const auto px = [&](int32_t units) noexcept {
+    return to_px(font, style, units);
+  };
+  return {px(measure.advance), px(measure.x_min), px(-measure.y_max),
+          px(measure.x_max), px(-measure.y_min)};
 }
 
 }  // namespace inkcell

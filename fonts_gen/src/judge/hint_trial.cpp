@@ -10,8 +10,8 @@
 #include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
 #include "rom/rom_font.hpp"
 #include "shape/shape.hpp"
 
@@ -122,7 +122,7 @@ class TrialFont {
     Canvas canvas(
         {pixels(metrics.x_min) - room_x, pixels(-metrics.y_max) - room_y,
          pixels(metrics.x_max) + room_x, pixels(-metrics.y_min) + room_y});
-    draw_glyph(font_, glyph, style, {}, canvas.sink());
+    Painter(canvas.sink()).glyph(font_, style, {}, glyph);
     return topology_of(canvas);
   }
 

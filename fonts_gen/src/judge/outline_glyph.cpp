@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "inkcell/format/rom.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "inkcell/text.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/outline_code.hpp"
 #include "outlines/outline_steps.hpp"
@@ -99,7 +99,7 @@ class OneGlyphFont {
           return glyph.box();
         },
         [this](const Style& style, inkcell::Point origin, const Sink& sink) {
-          draw_glyph(font_, 1, style, origin, sink, workspace());
+          Painter(sink, workspace()).glyph(font_, style, origin, 1);
         }};
   }
 

@@ -7,8 +7,8 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
 #include "judge/canvas.hpp"
 
 namespace inkcell::gen {
@@ -53,9 +53,10 @@ void draw_cell(const Font& font,
                int top,
                Preview& out) {
   Canvas canvas(Rect{left, top, left + kCellWidth, top + kLabels - 2});
-  draw_glyph(font, glyph, style,
+  Painter(canvas.sink())
+      .glyph(font, style,
              {Q26_6::from_int(left + kLeft), Q26_6::from_int(top + kBaseline)},
-             canvas.sink());
+             glyph);
   const Rect& area = canvas.area();
   for (int y = area.y0; y < area.y1; ++y) {
     for (int x = area.x0; x < area.x1; ++x) {

@@ -3,6 +3,7 @@
 
 #include "canvas.hpp"
 #include "editor/preview.hpp"
+#include "inkcell/painter.hpp"
 #include "look.hpp"
 #include "rom_file.hpp"
 
@@ -53,8 +54,8 @@ tools::Image draw_on_display(const std::vector<uint8_t>& rom,
     const Sink& sink = paper.with(dark ? kWhite : kBlack);
     for (const tools::Line& line : lines) {
       if (!paint) {
-        draw(font, {line.glyphs.data(), line.glyphs.size()}, look.style(),
-             origin, sink);
+        Painter(sink).glyphs(font, look.style(), origin,
+                             {line.glyphs.data(), line.glyphs.size()});
         continue;
       }
       for (const PositionedGlyph& glyph : line.glyphs) {

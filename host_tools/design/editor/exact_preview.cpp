@@ -5,6 +5,7 @@
 
 #include "canvas.hpp"
 #include "inkcell/filter.hpp"
+#include "inkcell/painter.hpp"
 #include "look.hpp"
 #include "model/contours.hpp"
 #include "rom_file.hpp"
@@ -91,7 +92,7 @@ std::shared_ptr<const Preview> draw_exact_preview(const Preview& last,
         [&](const PositionedGlyph& glyph, const Style& style,
             inkcell::Point origin, const Sink& sink) {
           if (glyph.glyph != changed) {
-            draw(font, {&glyph, 1}, style, origin, sink);
+            Painter(sink).glyphs(font, style, origin, {&glyph, 1});
             return;
           }
           ExactGlyph(shape, px, sink)

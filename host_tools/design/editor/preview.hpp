@@ -9,6 +9,8 @@
 
 #include "display.hpp"
 #include "image.hpp"
+#include "inkcell/geometry.hpp"
+#include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 #include "model/project.hpp"

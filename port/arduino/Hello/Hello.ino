@@ -22,7 +22,7 @@ inkcell::Status draw_clock(const char* text) {
   inkcell::port::Rgb565Target target = {strip};
   inkcell::Sink sink;
   INKCELL_TRY(inkcell::port::make_sink(target, sink));
-  inkcell::draw_text(font, text, kStyle, {4, 25}, sink);
+  inkcell::Painter(sink).text(font, kStyle, {4, 25}, text);
   return inkcell::Status::ok;
 }
 

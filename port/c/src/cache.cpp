@@ -63,8 +63,9 @@ void inkcell_glyph_cache_draw_text(inkcell_glyph_cache_t* cache,
                                    int32_t y_q6,
                                    const inkcell_sink_t* sink,
                                    const inkcell_workspace_t* ram) {
-  cpp(cache)->draw_text(*cpp(font), c::text_of(text, size), *cpp(style),
-                        point_of(x_q6, y_q6), *cpp(sink), workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
+      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
+            c::text_of(text, size));
 }
 
 void inkcell_glyph_cache_draw_run(inkcell_glyph_cache_t* cache,
@@ -76,8 +77,9 @@ void inkcell_glyph_cache_draw_run(inkcell_glyph_cache_t* cache,
                                   int32_t y_q6,
                                   const inkcell_sink_t* sink,
                                   const inkcell_workspace_t* ram) {
-  cpp(cache)->draw(*cpp(font), {cpp(glyphs), count}, *cpp(style),
-                   point_of(x_q6, y_q6), *cpp(sink), workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
+      .glyphs(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
+              {cpp(glyphs), count});
 }
 
 void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
@@ -90,9 +92,9 @@ void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
                                     int32_t y_q6,
                                     const inkcell_sink_t* sink,
                                     const inkcell_workspace_t* ram) {
-  cpp(cache)->draw(*cpp(face), {cpp(fallback), fallback_count},
-                   {cpp(glyphs), count}, point_of(x_q6, y_q6), *cpp(sink),
-                   workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
+      .glyphs(*cpp(face), {cpp(fallback), fallback_count}, point_of(x_q6, y_q6),
+              {cpp(glyphs), count});
 }
 
 void inkcell_glyph_cache_clear(inkcell_glyph_cache_t* cache) {

@@ -1,5 +1,6 @@
 // Text, runs and glyphs.
 #include "inkcell/c/draw.h"
+#include "inkcell/painter.hpp"
 
 #include "mirror.hpp"
 
@@ -40,8 +41,8 @@ void inkcell_draw_text(const inkcell_font_t* font,
                        int32_t y_q6,
                        const inkcell_sink_t* sink,
                        const inkcell_workspace_t* ram) {
-  draw_text(*cpp(font), text_of(text, size), *cpp(style), point_of(x_q6, y_q6),
-            *cpp(sink), workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram))
+      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6), text_of(text, size));
 }
 
 void inkcell_draw_glyph(const inkcell_font_t* font,
@@ -51,8 +52,8 @@ void inkcell_draw_glyph(const inkcell_font_t* font,
                         int32_t y_q6,
                         const inkcell_sink_t* sink,
                         const inkcell_workspace_t* ram) {
-  draw_glyph(*cpp(font), glyph, *cpp(style), point_of(x_q6, y_q6), *cpp(sink),
-             workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram))
+      .glyph(*cpp(font), *cpp(style), point_of(x_q6, y_q6), glyph);
 }
 
 void inkcell_draw_run(const inkcell_font_t* font,
@@ -63,8 +64,9 @@ void inkcell_draw_run(const inkcell_font_t* font,
                       int32_t y_q6,
                       const inkcell_sink_t* sink,
                       const inkcell_workspace_t* ram) {
-  draw(*cpp(font), {cpp(glyphs), count}, *cpp(style), point_of(x_q6, y_q6),
-       *cpp(sink), workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram))
+      .glyphs(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
+              {cpp(glyphs), count});
 }
 
 void inkcell_draw_faces(const inkcell_face_t* face,
@@ -76,8 +78,9 @@ void inkcell_draw_faces(const inkcell_face_t* face,
                         int32_t y_q6,
                         const inkcell_sink_t* sink,
                         const inkcell_workspace_t* ram) {
-  draw(*cpp(face), {cpp(fallback), fallback_count}, {cpp(glyphs), count},
-       point_of(x_q6, y_q6), *cpp(sink), workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram))
+      .glyphs(*cpp(face), {cpp(fallback), fallback_count}, point_of(x_q6, y_q6),
+              {cpp(glyphs), count});
 }
 
 void inkcell_glyph_box(const inkcell_font_t* font,
@@ -86,7 +89,8 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        int32_t x_q6,
                        int32_t y_q6,
                        inkcell_rect_t* out) {
-  *cpp(out) = glyph_box(*cpp(font), glyph, *cpp(style), point_of(x_q6, y_q6));
+  *cpp(out) =
+      Painter().glyph_box(*cpp(font), *cpp(style), point_of(x_q6, y_q6), glyph);
 }
 
 inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,

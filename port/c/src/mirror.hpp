@@ -10,7 +10,10 @@
 
 #include "inkcell/c/draw.h"
 #include "inkcell/c/types.h"
+#include "inkcell/geometry.hpp"
+#include "inkcell/strip.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 
 /// The member `c_member` of the type `C` is `cpp_member` of what it stands for.
 #define INKCELL_SAME_PLACE(C, c_member, cpp_member)                         \

@@ -1,6 +1,7 @@
 // Lines that were shaped when the program was built.
 #include "inkcell/c/shaped_run.h"
 
+#include "inkcell/painter.hpp"
 #include "inkcell/shaped_run.hpp"
 #include "mirror.hpp"
 
@@ -64,6 +65,6 @@ void inkcell_draw_shaped(const inkcell_font_t* font,
                          int32_t y_q6,
                          const inkcell_sink_t* sink,
                          const inkcell_workspace_t* ram) {
-  draw(*cpp(font), *cpp(run), *cpp(style), point_of(x_q6, y_q6), *cpp(sink),
-       workspace_of(ram));
+  Painter(*cpp(sink), workspace_of(ram))
+      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6), *cpp(run));
 }

@@ -72,7 +72,7 @@ int32_t inkcell_style_size(const inkcell_style_t* style) {
 
 inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
                                             const inkcell_font_t* font) {
-  return code(check_effect(*cpp(font), *cpp(style)));
+  return code(cpp(font)->check(*cpp(style)));
 }
 
 void inkcell_style_clear_effect(inkcell_style_t* style) {

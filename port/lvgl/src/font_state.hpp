@@ -6,6 +6,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
@@ -16,8 +17,6 @@
 namespace inkcell {
 namespace port {
 
-struct FontState;
-
 /// Memory for the target of one sink.
 union LcdTarget {
   Rgb565Target rgb565;
@@ -27,11 +26,7 @@ union LcdTarget {
   constexpr LcdTarget() noexcept : rgb565() {}
 };
 
-/// Set by the optional functions, so that the linker can drop unused ones.
-using DrawGlyph = void (*)(const FontState& state,
-                           uint16_t glyph,
-                           Point origin,
-                           const Sink& sink);
+/// Set by an optional function, so that the linker can drop unused ones.
 using MakeLcdSink = bool (*)(const lv_layer_t& layer,
                              lv_color_t colour,
                              LcdTarget& target,
@@ -41,11 +36,14 @@ struct FontState {
   Font font;
   Style style{kMinSize, kFilterText};
   Workspace workspace;
-  GlyphCache* cache = nullptr;
-  DrawGlyph draw = nullptr;
+  const GlyphCache* cache = nullptr;
   MakeLcdSink make_lcd_sink = nullptr;  // null: grey
   Lcd lcd;
   bool is_direct = false;
+
+  void draw(uint16_t glyph, Point origin, const Sink& sink) const noexcept {
+    Painter(sink, workspace, cache).glyph(font, style, origin, glyph);
+  }
 };
 
 static_assert(sizeof(FontState) <= sizeof(inkcell_lv_font_t::state),

@@ -76,7 +76,7 @@ struct Part {
     const lv_area_t& box = *glyph.letter_coords;
     const Point origin = {Q26_6::from_int(box.x1 - glyph.g->ofs_x),
                           Q26_6::from_int(box.y2 + 1 + glyph.g->ofs_y)};
-    state.draw(state, static_cast<uint16_t>(glyph.g->gid.index), origin, sink);
+    state.draw(static_cast<uint16_t>(glyph.g->gid.index), origin, sink);
   }
 };
 

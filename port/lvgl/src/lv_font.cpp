@@ -1,22 +1,15 @@
 // LVGL's font: its metrics, its glyphs, and their A8 bitmaps.
 #include "inkcell/fixed.hpp"
 #include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/status.hpp"
-#include "inkcell/text.hpp"
 
 #include "font_state.hpp"
 
 namespace inkcell {
 namespace port {
 namespace {
-
-void draw_plain(const FontState& state,
-                uint16_t glyph,
-                Point origin,
-                const Sink& sink) {
-  draw_glyph(state.font, glyph, state.style, origin, sink, state.workspace);
-}
 
 // What text shows where the font lacks a character that needs no glyph: a space
 // of its own width, or nothing. [font units]
@@ -86,7 +79,7 @@ bool get_glyph_dsc(const lv_font_t* lv_font,
     return true;
   }
   out->adv_w = to_uint16(advance_px(state, glyph, next_letter));
-  Rect box = glyph_box(state.font, glyph, state.style, {});
+  Rect box = Painter().glyph_box(state.font, state.style, {}, glyph);
   if (is_empty(box)) {
     box = {};
   }
@@ -122,7 +115,7 @@ const void* get_glyph_bitmap(lv_font_glyph_dsc_t* glyph,
     return nullptr;
   }
   lv_memzero(buffer->data, static_cast<size_t>(strip.stride) * glyph->box_h);
-  state.draw(state, static_cast<uint16_t>(glyph->gid.index), {}, sink);
+  state.draw(static_cast<uint16_t>(glyph->gid.index), {}, sink);
   lv_draw_buf_flush_cache(buffer, nullptr);
   return buffer;
 }
@@ -171,7 +164,6 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
     return LV_RESULT_INVALID;
   }
   state.style = Style(Q26_6::from_raw(size_q6), kFilterText);
-  state.draw = port::draw_plain;
   lv_font_t lv = {};
   lv.get_glyph_dsc = port::get_glyph_dsc;
   lv.get_glyph_bitmap = port::get_glyph_bitmap;

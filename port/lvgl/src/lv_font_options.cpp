@@ -33,16 +33,6 @@ lv_result_t set_fit(inkcell_lv_font_t& font,
   return LV_RESULT_OK;
 }
 
-void draw_cached(const FontState& state,
-                 uint16_t glyph,
-                 Point origin,
-                 const Sink& sink) {
-  PositionedGlyph run;
-  run.glyph = glyph;
-  state.cache->draw(state.font, {&run, 1}, state.style, origin, sink,
-                    state.workspace);
-}
-
 bool make_lcd(const lv_layer_t& layer,
               lv_color_t colour,
               LcdTarget& target,
@@ -141,7 +131,5 @@ lv_result_t inkcell_lv_cache_init(inkcell_lv_cache_t* cache,
 
 void inkcell_lv_font_set_cache(inkcell_lv_font_t* font,
                                inkcell_lv_cache_t* cache) {
-  port::FontState& state = port::state_of(*font);
-  state.cache = reinterpret_cast<GlyphCache*>(cache->state);
-  state.draw = port::draw_cached;
+  port::state_of(*font).cache = reinterpret_cast<GlyphCache*>(cache->state);
 }

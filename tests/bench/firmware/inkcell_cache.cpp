@@ -2,6 +2,7 @@
 // same picture: 4 bits a pixel, row after row without a gap. Both from the code
 // point to 8-bit coverage.
 #include "inkcell/cache/glyph_cache.hpp"
+#include "inkcell/painter.hpp"
 
 #include "inkcell_strips.hpp"
 
@@ -70,10 +71,9 @@ Rect ink_box() {
 }
 
 void draw(uint16_t glyph) {
-  PositionedGlyph at;
-  at.glyph = glyph;
-  bench::draw_strips([&at] {
-    cache.draw(bench::font, {&at, 1}, bench::style, bench::origin, bench::sink);
+  bench::draw_strips([glyph] {
+    Painter(bench::sink, {}, &cache)
+        .glyph(bench::font, bench::style, bench::origin, glyph);
   });
 }
 
@@ -96,8 +96,8 @@ engine_answer engine_prepare(uint32_t code_point) {
   if (bench::font.glyph_of(code_point, glyph) != Status::ok) {
     return engine_lacks;
   }
-  const engine_answer answer =
-      bench::place(glyph, glyph_box(bench::font, glyph, bench::style, {}));
+  const engine_answer answer = bench::place(
+      glyph, Painter().glyph_box(bench::font, bench::style, {}, glyph));
   if (answer == engine_ready) {
     draw(glyph);
     bitmap_box = ink_box();

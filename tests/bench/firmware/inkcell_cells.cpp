@@ -1,6 +1,7 @@
 // Inkcell with a font of fields. Way: "upright"; or in a
 // program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees, and
 // "leaning", by 1/5.
+#include "inkcell/painter.hpp"
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
@@ -38,7 +39,7 @@ void engine_draw(uint32_t code_point) {
     return;
   }
   bench::draw_strips([glyph] {
-    draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink);
+    Painter(bench::sink).glyph(bench::font, bench::style, bench::origin, glyph);
   });
 }
 

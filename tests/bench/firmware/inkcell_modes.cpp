@@ -9,6 +9,7 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/shadow.hpp"
@@ -170,7 +171,7 @@ engine_answer engine_prepare(uint32_t code_point) {
   }
   uint16_t glyph = 0;
   PreparedGlyph prepared;
-  if (check_effect(bench::font, bench::style) != Status::ok ||
+  if (bench::font.check(bench::style) != Status::ok ||
       bench::font.glyph_of(code_point, glyph) != Status::ok ||
       PreparedGlyph::make(bench::font, glyph, bench::style, {},
                           {workspace, kWorkspace}, prepared) != Status::ok) {
@@ -206,7 +207,7 @@ void engine_draw(uint32_t code_point) {
     return;
   }
   draw_strips([glyph] {
-    draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink);
+    Painter(bench::sink).glyph(bench::font, bench::style, bench::origin, glyph);
   });
 }
 

@@ -6,6 +6,7 @@
 //   stack                      the same without lent RAM
 //
 // All but the last lend kWorkspace bytes.
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell_strips.hpp"
 
@@ -73,8 +74,8 @@ void engine_draw(uint32_t code_point) {
     const Workspace ram =
         way == Way::strips ? Workspace{workspace, kWorkspace} : Workspace{};
     bench::draw_strips([glyph, &ram] {
-      draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink,
-                 ram);
+      Painter(bench::sink, ram)
+          .glyph(bench::font, bench::style, bench::origin, glyph);
     });
     return;
   }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "engine.h"
+#include "inkcell/geometry.hpp"
 #include "inkcell/port/a8.hpp"
+#include "inkcell/strip.hpp"
 #include "inkcell/text.hpp"
 
 namespace bench {

@@ -6,8 +6,8 @@
 //                2   as 0, and lines of text
 //                3   as 2, with any matrix
 //                4   as 3, and by area, into every format
+#include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
-#include "inkcell/text.hpp"
 
 #if INKCELL_KEEP >= 4
 #  include "inkcell/port/grey2.hpp"
@@ -51,9 +51,9 @@ Status draw_into(const Font& font) {
   Sink sink;
   INKCELL_TRY(make_sink(target, sink));
 #if INKCELL_KEEP < 2
-  draw_glyph(font, bytes[0], style, {}, sink);
+  Painter(sink).glyph(font, style, {}, bytes[0]);
 #else
-  draw_text(font, "text", style, {}, sink);
+  Painter(sink).text(font, style, {}, "text");
 #endif
   return Status::ok;
 }

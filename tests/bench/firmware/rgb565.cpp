@@ -15,7 +15,7 @@
 #include "board.hpp"
 #include "console.hpp"
 #include "counter.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "rom_file.hpp"
 #include "stack.hpp"
 
@@ -58,8 +58,8 @@ bool measure_run(const Font& font, int32_t px) {
       return false;
     }
     const auto work = [&] {
-      draw(font, run, style, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink,
-           {workspace, sizeof workspace});
+      Painter(sink, {workspace, sizeof workspace})
+          .glyphs(font, style, {Q26_6::from_int(4), Q26_6::from_int(px)}, run);
     };
     const auto used = static_cast<uint32_t>(board::count_stack(work));
     stack = used > stack ? used : stack;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "inkcell/field/draw.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
-#include "inkcell/text.hpp"
 
 using namespace inkcell;
 
@@ -26,8 +26,8 @@ static bool show(Span<const uint8_t> rom) {
   }
   Font font;
   const Status status = Font::open(rom, PROBE_CODING, font);
-  draw_text(font, "Again", style, {Q26_6::from_int(4), Q26_6::from_int(40)},
-            sink);
+  Painter(sink).text(font, style, {Q26_6::from_int(4), Q26_6::from_int(40)},
+                     "Again");
   int32_t ink = 0;
   for (const uint8_t pixel : pixels) {
     ink += pixel;

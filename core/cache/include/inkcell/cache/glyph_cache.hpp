@@ -7,7 +7,7 @@
 //   alignas(8) static uint8_t ram[2048];  // ten digits of 32 px
 //   GlyphCache cache;
 //   INKCELL_TRY(GlyphCache::make(ram, {}, cache));
-//   cache.draw_text(font, "12:34", style, origin, sink);
+//   Painter(sink, {}, &cache).text(font, style, origin, "12:34");
 //
 // Coverage is kept, not colour: any sink draws it, in strips, too. Glyphs that
 // were not drawn for the longest time make room for new ones.
@@ -15,12 +15,9 @@
 
 #include <stdint.h>
 
-#include "inkcell/font.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
+#include "inkcell/status.hpp"
 
 namespace inkcell {
 
@@ -34,8 +31,8 @@ struct GlyphCacheOptions {
   /// Places within a pixel at which glyphs are kept, across and down: a power
   /// of 2 from 1 to 64. Glyphs are drawn at the nearest of these.
   uint8_t phases = 4;
-  /// Pairs of a font and a style that are kept at once, 1 to 16. [about 150
-  /// bytes each]
+  /// Pairs of a font and a style that are kept at once, 1 to 16; of a run in
+  /// several fonts each takes one. [about 150 bytes each]
   uint8_t styles = 1;
 };
 
@@ -50,16 +47,17 @@ struct GlyphCacheStats {
   uint32_t capacity = 0;   // bytes that it was lent
 };
 
-/// Draws runs as draw() and draw_text() do, but each glyph only once. The same
-/// calls make the same picture with every cache, whatever it holds.
+/// For a Painter: draws each glyph only once, at the nearest phase. The same
+/// calls make the same picture with every cache, whatever it holds. The
+/// painter's RAM is lent for glyphs that the cache does not hold yet.
 ///
 /// Styles are compared by value; the filter, fitter and effect that they name,
 /// and fonts, by address. Call clear() before one of these changes. For one
 /// task at a time.
-class GlyphCache {
+class GlyphCache : public detail::GlyphDrawer {
  public:
-  /// Keeps nothing: every glyph is drawn anew.
-  constexpr GlyphCache() noexcept = default;
+  /// Keeps nothing: every glyph is drawn anew, where it stands.
+  constexpr GlyphCache() noexcept : GlyphDrawer{draw_kept, 0} {}
 
   /// A cache in `ram`, whose data is a multiple of the size of a pointer. Of
   /// more than 65,535 bytes the rest is not used. It must outlive the cache.
@@ -74,36 +72,16 @@ class GlyphCache {
   /// The least RAM, for each style.
   static constexpr size_t kMinBytes = 512;
 
-  /// As the function of that name in text.hpp, with each glyph at the nearest
-  /// phase. `workspace` is lent for glyphs that the cache does not hold yet.
-  void draw(const Font& font,
-            Span<const PositionedGlyph> glyphs,
-            const Style& style,
-            Point origin,
-            const Sink& sink,
-            Workspace workspace = {}) noexcept;
-
-  /// The same with glyphs of other faces. Each takes a slot of its own.
-  void draw(const Face& face,
-            Span<const Face> fallback,
-            Span<const PositionedGlyph> glyphs,
-            Point origin,
-            const Sink& sink,
-            Workspace workspace = {}) noexcept;
-
-  void draw_text(const Font& font,
-                 Text text,
-                 const Style& style,
-                 Point origin,
-                 const Sink& sink,
-                 Workspace workspace = {}) noexcept;
-
   /// Forgets all glyphs. Counters stay.
   void clear() noexcept;
 
   GlyphCacheStats stats() const noexcept;
 
  private:
+  static void draw_kept(detail::GlyphRun& run,
+                        uint16_t glyph,
+                        const detail::Placed& placed) noexcept;
+
   detail::GlyphStore* store_ = nullptr;  // in the lent RAM
 };
 

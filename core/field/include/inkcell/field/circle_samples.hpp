@@ -41,7 +41,7 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// 280 bytes. check_effect() refuses it with fonts of outlines, and with styles
+/// 280 bytes. Font::check() refuses it with fonts of outlines, and with styles
 /// that stretch edges differently.
 struct CircleSamples : Effect {
   /// `filter` is that of the style; the radius is clamped as in

@@ -2,7 +2,7 @@
 //
 //   Font font;
 //   INKCELL_TRY(Font::open(rom, kFieldCoding, font));
-//   draw_text(font, "Hello", style, origin, sink);
+//   Painter(sink).text(font, style, origin, "Hello");
 //
 // A field fills the same bands as outlines do, so that all filters and effects
 // draw both. Pixel (i, j) covers [i, i + 1] x [j, j + 1], x to the right, y

@@ -36,7 +36,7 @@ inline constexpr Q6_10 kMaxSplatRadius = Q6_10::from_raw(1536);
 /// The fewest sums that a splat draws with.
 inline constexpr size_t kMinSplatSums = 64;
 
-/// check_effect() refuses it with fonts of outlines, and with fewer than
+/// Font::check() refuses it with fonts of outlines, and with fewer than
 /// kMinSplatSums sums.
 struct Splat : Effect {
   /// With a sum for each pixel of the largest glyph in a strip, 2 px more on

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/pose.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"

@@ -12,6 +12,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 

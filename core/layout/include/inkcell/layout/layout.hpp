@@ -124,8 +124,8 @@ void shorten(const LayoutOptions& options,
              TextLine& line) noexcept;
 
 /// Glyphs of a line from left to right, aligned in `width` px, from its left
-/// end. Draw them with draw(options.face, options.fallback, ...). Blanks have
-/// none.
+/// end. Draw them with Painter::glyphs(options.face, options.fallback, ...).
+/// Blanks have none.
 ///
 /// buffer_small: `out` was too short; `glyphs` is untouched. line.length + 4
 /// always suffice.

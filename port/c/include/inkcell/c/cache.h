@@ -15,7 +15,7 @@ extern "C" {
 /// Opaque. Empty, it keeps nothing: every glyph is drawn anew. For one task at
 /// a time.
 typedef struct INKCELL_SHARED inkcell_glyph_cache_t {
-  void* words[1];
+  void* words[3];
 } inkcell_glyph_cache_t;
 
 /// 0 takes the default.

@@ -46,7 +46,7 @@ typedef struct {
 
 /** A cache of drawn glyphs; one may serve several fonts. */
 typedef struct {
-  void* state[1];
+  void* state[3];
 } inkcell_lv_cache_t;
 
 /** The order of a display's sub-pixels. */

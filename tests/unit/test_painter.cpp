@@ -1,0 +1,257 @@
+// The painter: boxes of text against the pixels that drawing touches, and
+// measures in pixels.
+#include "inkcell/painter.hpp"
+
+#include "check.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/field/splat.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/shaped_run.hpp"
+#include "inkcell/supersample.hpp"
+#include "outline_record.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr char kText[] = "ADE F";
+constexpr int32_t kTurned = 4;
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+
+Font sample_font() {
+  Font font;
+  const size_t size =
+      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
+  CHECK_OK(Font::open({font_bytes, size}, font));
+  return font;
+}
+
+// A sink that finds the box of the pixels that are not empty.
+struct Touched {
+  Rect box;
+
+  Sink sink() {
+    return {
+        {-200, -200, 300, 300}, this, coverage, solid, nullptr, coverage_rgb};
+  }
+  void add(int32_t x, int32_t y, int32_t count) {
+    if (is_empty(box)) {
+      box = {x, y, x + count, y + 1};
+    }
+    box = {x < box.x0 ? x : box.x0, y < box.y0 ? y : box.y0,
+           x + count > box.x1 ? x + count : box.x1,
+           y + 1 > box.y1 ? y + 1 : box.y1};
+  }
+  void add_covered(int32_t x,
+                   int32_t y,
+                   const uint8_t* coverage,
+                   int32_t count,
+                   int32_t channels) {
+    for (int32_t i = 0; i < count * channels; ++i) {
+      if (coverage[i] != 0) {
+        add(x + i / channels, y, 1);
+      }
+    }
+  }
+
+  static Touched& of(void* context) { return *static_cast<Touched*>(context); }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    of(context).add_covered(x, y, coverage, count, 1);
+  }
+  static void coverage_rgb(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* coverage,
+                           int32_t count) {
+    of(context).add_covered(x, y, coverage, count, 3);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    of(context).add(x, y, count);
+  }
+};
+
+bool is_same(const Rect& a, const Rect& b) {
+  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
+// Whether `box` holds all that was touched, and at most `most` px more on a
+// side.
+bool holds(const Rect& box, const Rect& touched, int32_t most) {
+  const int32_t more[] = {touched.x0 - box.x0, touched.y0 - box.y0,
+                          box.x1 - touched.x1, box.y1 - touched.y1};
+  bool is_right = !is_empty(touched);
+  for (const int32_t side : more) {
+    is_right &= side >= 0 && side <= most;
+  }
+  return is_right;
+}
+
+Point at(int32_t x_q6, int32_t y_q6) {
+  return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
+}
+
+void check_boxes(const char* name,
+                 const Font& font,
+                 const Style& style,
+                 int32_t most = 2) {
+  bool is_right = true;
+  const Point origins[] = {at(0, 0), at(13, 40), at(-411, 3001), at(640, -27)};
+  for (const Point origin : origins) {
+    Touched touched;
+    const Sink sink = touched.sink();
+    const Painter painter(sink);
+    painter.text(font, style, origin, kText);
+    is_right &=
+        holds(painter.box(font, style, origin, kText), touched.box, most);
+  }
+  if (!is_right) {
+    check::fail(__FILE__, __LINE__, name);
+  }
+}
+
+Style style_of(int32_t px) {
+  return Style(Q26_6::from_int(px), kFilterText);
+}
+
+Direction turned() {
+  Direction direction;
+  direction.cosine.raw = 858993459;
+  direction.sine.raw = 644245094;
+  return direction;
+}
+
+}  // namespace
+
+TEST(boxes_of_text_hold_what_is_drawn) {
+  const Font font = sample_font();
+  constexpr int32_t kSizes[] = {5, 12, 15, 40};
+  for (const int32_t px : kSizes) {
+    check_boxes("plain", font, style_of(px));
+  }
+  Style style(Q26_6::from_int(17), kFilterArea);
+  check_boxes("exact area", font, style);
+  style = Style(Q26_6::from_int(20), kFilterText, turned());
+  // The corners of the turned boxes of glyphs, which are round.
+  check_boxes("turned", font, style, kTurned);
+  style = Style({Q16_16::from_int(20), Q16_16::from_int(0), Q16_16::from_int(5),
+                 Q16_16::from_int(24)},
+                kFilterText);
+  check_boxes("stretched and slanted", font, style);
+}
+
+TEST(boxes_of_text_hold_what_effects_draw) {
+  const Font font = sample_font();
+  Style style = style_of(16);
+  const Outline outline =
+      make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::centred);
+  style = Style(Q26_6::from_int(16), outline.outer);
+  style.set_effect(outline_effect(outline.inner));
+  check_boxes("outline", font, style);
+  style = style_of(16);
+  const LcdOptions lcd;
+  style.set_effect(lcd_effect(lcd));
+  check_boxes("sub-pixels", font, style);
+  const CrispOptions crisp;
+  style.set_effect(crisp_effect(crisp));
+  check_boxes("1 bit", font, style);
+  const Supersampling samples = make_supersampling();
+  style.set_effect(supersample_effect(samples));
+  check_boxes("supersampling", font, style);
+  MotionBlur blur;
+  CHECK_OK(make_motion_blur(at(150, -75), blur));
+  style.set_effect(motion_blur_effect(blur));
+  check_boxes("motion blur", font, style);
+}
+
+TEST(boxes_of_text_hold_what_fitted_styles_draw) {
+  const Font font = sample_font();
+  for (int32_t i = 0; i != 2; ++i) {
+    const bool is_across = i == 1;
+    Style style = style_of(13);
+    FitOptions options;
+    options.across = is_across;
+    Fit fit;
+    CHECK_OK(Fit::make(font, style, options, fit));
+    style.set_fitter(&kGridFit, &fit);
+    check_boxes(is_across ? "fitted across" : "fitted", font, style);
+  }
+}
+
+TEST(boxes_of_soft_edges_hold_them) {
+  const Font font = sample_font();
+  const Filter glow = glow_filter(Q6_10::from_raw(4096));
+  const Filter shadow = shadow_filter(Q6_10::from_raw(2048));
+  const Filter* const filters[] = {&glow, &shadow};
+  for (const Filter* filter : filters) {
+    Style style(Q26_6::from_int(16), *filter);
+    Touched touched;
+    const Sink sink = touched.sink();
+    const Painter painter(sink);
+    painter.text(font, style, {}, kText);
+    const Rect box = painter.box(font, style, {}, kText);
+    CHECK(is_same(intersect(box, touched.box), touched.box));
+  }
+}
+
+TEST(what_shows_nothing_has_no_box) {
+  const Font font = sample_font();
+  const Painter painter;
+  Style style = style_of(16);
+  CHECK(is_empty(painter.box(font, style, {}, "")));
+  CHECK(is_empty(painter.box(font, style, {}, " \n")));
+  CHECK(is_empty(painter.box(Font(), style, {}, kText)));
+  CHECK(is_empty(painter.box(font, style, {}, ShapedRun())));
+  CHECK(is_empty(painter.box(font, style, {}, Span<const PositionedGlyph>())));
+  CHECK(is_empty(painter.box(font, style, at(INT32_MAX, INT32_MIN), kText)));
+  const Splats splats;
+  style.set_effect(splat_effect(splats));
+  CHECK_EQ(font.check(style), Status::unsupported);
+  CHECK(is_empty(painter.box(font, style, {}, kText)));
+  CHECK_OK(Font().check(style));
+}
+
+TEST(boxes_of_glyphs_and_runs_are_those_of_their_text) {
+  const Font font = sample_font();
+  const Style style = style_of(16);
+  const Point origin = at(77, -300);
+  const Painter painter;
+  const Rect box = painter.box(font, style, origin, "AD");
+  PositionedGlyph room[2];
+  Span<const PositionedGlyph> glyphs;
+  CHECK_OK(lay_out(font, "AD", room, glyphs));
+  CHECK(is_same(painter.box(font, style, origin, glyphs), box));
+  room[1].face = 1;
+  const Face face = {&font, &style};
+  CHECK(is_same(painter.box(face, {&face, 1}, origin, glyphs), box));
+  CHECK(is_same(painter.box(face, {}, origin, glyphs),
+                painter.box(font, style, origin, "A")));
+  CHECK(is_same(painter.glyph_box(font, style, origin, room[0].glyph),
+                painter.box(font, style, origin, "A")));
+  const ShapedGlyph shaped[] = {
+      {room[0].glyph, 0, 0},
+      {room[1].glyph, static_cast<int16_t>(room[1].x), 0}};
+  CHECK(is_same(painter.box(font, style, origin, ShapedRun{{shaped, 2}, 0}),
+                box));
+}
+
+TEST(measures_in_pixels_are_those_in_units) {
+  const Font font = sample_font();
+  const Style style = style_of(20);
+  const TextMeasure units = measure(font, "AF");
+  const PixelMeasure px = Painter::measure(font, style, "AF");
+  CHECK(units.advance > 0 && units.y_max > 0 && units.x_min > 0);
+  CHECK_EQ(px.advance.raw, to_px(font, style, units.advance).raw);
+  CHECK_EQ(px.left.raw, to_px(font, style, units.x_min).raw);
+  CHECK_EQ(px.right.raw, to_px(font, style, units.x_max).raw);
+  CHECK_EQ(px.top.raw, to_px(font, style, -units.y_max).raw);
+  CHECK_EQ(px.bottom.raw, to_px(font, style, -units.y_min).raw);
+  const PixelMeasure none = Painter::measure(font, style, "");
+  CHECK(none.advance.raw == 0 && none.left.raw == none.right.raw);
+}
