@@ -59,14 +59,11 @@ void draw_strip(void* context, const Strip& strip) {
   std::memset(
       strip.pixels.data, 0,
       static_cast<size_t>(strip.stride) * static_cast<size_t>(strip.height));
-  port::A8Target grey{strip};
-  port::Rgb888Target colour{strip};  // white: coverage itself
-  Sink sink;
-  if ((scene.image.channels == 1
-           ? port::make_sink(grey, sink)
-           : port::make_lcd_sink(colour, sink)) != Status::ok) {
-    return;  // impossible: draw_lines() checked the size
-  }
+  const port::A8Canvas grey(strip);
+  port::Rgb888Canvas colour(strip);  // white: coverage itself
+  port::set_sub_pixels(colour);
+  const bool is_grey = scene.image.channels == 1;
+  const Sink& sink = is_grey ? static_cast<const Sink&>(grey) : colour;
   if (scene.stats == nullptr) {
     draw_lines(scene.font, scene.lines, scene.origins, scene.style, sink);
     return;

@@ -64,61 +64,54 @@ void suit_display(Display display, LookOptions& look) {
   look.lcd = display == Display::lcd ? "rgb" : "none";
 }
 
-DisplayPaper::Target DisplayPaper::target_for(Display display) {
+DisplayPaper::Canvas DisplayPaper::canvas_for(Display display,
+                                              const Strip& strip) {
   switch (display) {
     case Display::mono:
-      return port::MonoRowsTarget{};
+      return port::MonoRowsCanvas(strip);
     case Display::mono_pages:
-      return port::MonoPagesTarget{};
+      return port::MonoPagesCanvas(strip);
     case Display::grey2:
-      return port::Grey2Target{};
+      return port::Grey2Canvas(strip);
     case Display::grey4:
-      return port::Grey4Target{};
+      return port::Grey4Canvas(strip);
     case Display::grey8:
-      return port::Grey8Target{};
+      return port::Grey8Canvas(strip);
     case Display::rgb565:
-      return port::Rgb565Target{};
+      return port::Rgb565Canvas(strip);
     case Display::xrgb8888:
-      return port::Xrgb8888Target{};
+      return port::Xrgb8888Canvas(strip);
     case Display::lcd:
       break;
   }
-  return port::Rgb888Target{};
+  port::Rgb888Canvas canvas(strip);
+  port::set_sub_pixels(canvas);
+  return canvas;
 }
 
-Sink DisplayPaper::sink_for(bool has_sub_pixels) {
-  Sink sink;
-  const Status status = std::visit(
-      [&](auto& target) {
-        if constexpr (std::is_same_v<decltype(target), port::Rgb888Target&>) {
-          if (has_sub_pixels) {
-            return port::make_lcd_sink(target, sink);
-          }
+Sink DisplayPaper::sink() const {
+  return std::visit(
+      [](const auto& canvas) -> Sink {
+        if (canvas.status() != Status::ok) {
+          throw std::runtime_error("this strip is none of the display");
         }
-        return port::make_sink(target, sink);
+        return canvas;
       },
-      target_);
-  if (status != Status::ok) {
-    throw std::runtime_error("this strip is none of the display");
-  }
-  return sink;
+      canvas_);
 }
 
 DisplayPaper::DisplayPaper(Display display,
                            const Strip& strip,
                            DrawStats* stats)
-    : target_(target_for(display)),
-      counting_(
-          (std::visit([&](auto& target) { target.strip = strip; }, target_),
-           sink_for(display == Display::lcd)),
-          stats == nullptr ? unused_ : *stats),
+    : canvas_(canvas_for(display, strip)),
+      counting_(sink(), stats == nullptr ? unused_ : *stats),
       sink_(counting_.sink()) {}
 
 scenes::Paper DisplayPaper::paper() {
   return {sink_.window, this, [](void* context, uint32_t rgb) -> const Sink& {
             DisplayPaper& self = *static_cast<DisplayPaper*>(context);
-            std::visit([rgb](auto& target) { scenes::set_ink(target, rgb); },
-                       self.target_);
+            std::visit([rgb](auto& canvas) { scenes::set_ink(canvas, rgb); },
+                       self.canvas_);
             return self.sink_;
           }};
 }

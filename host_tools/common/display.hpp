@@ -57,19 +57,19 @@ class DisplayPaper {
   scenes::Paper paper();
 
  private:
-  using Target = std::variant<port::MonoRowsTarget,
-                              port::MonoPagesTarget,
-                              port::Grey2Target,
-                              port::Grey4Target,
-                              port::Grey8Target,
-                              port::Rgb565Target,
-                              port::Xrgb8888Target,
-                              port::Rgb888Target>;
+  using Canvas = std::variant<port::MonoRowsCanvas,
+                              port::MonoPagesCanvas,
+                              port::Grey2Canvas,
+                              port::Grey4Canvas,
+                              port::Grey8Canvas,
+                              port::Rgb565Canvas,
+                              port::Xrgb8888Canvas,
+                              port::Rgb888Canvas>;
 
-  static Target target_for(Display display);
-  Sink sink_for(bool has_sub_pixels);
+  static Canvas canvas_for(Display display, const Strip& strip);
+  Sink sink() const;
 
-  Target target_;
+  Canvas canvas_;
   DrawStats unused_;
   CountingSink counting_;
   Sink sink_;

@@ -44,16 +44,18 @@ void paste(const Image& from, int x, int y, Image& to) {
   }
 }
 
-ColourSink::ColourSink(Image& image, uint32_t colour) {
-  target_.strip.pixels = {image.pixels.data(), image.pixels.size()};
-  target_.strip.width = image.width;
-  target_.strip.height = image.height;
-  target_.strip.stride = 3 * image.width;
-  target_.colour = colour;
-  if (image.channels != 3 ||
-      port::make_lcd_sink(target_, sink_) != Status::ok) {
+port::Rgb888Canvas canvas_of(Image& image, uint32_t colour) {
+  Strip strip;
+  strip.pixels = {image.pixels.data(), image.pixels.size()};
+  strip.width = image.width;
+  strip.height = image.height;
+  strip.stride = 3 * image.width;
+  port::Rgb888Canvas canvas(strip, colour);
+  port::set_sub_pixels(canvas);
+  if (image.channels != 3 || canvas.status() != Status::ok) {
     throw std::runtime_error("the picture is too large to draw into");
   }
+  return canvas;
 }
 
 void write_text(const Font& font,
@@ -63,11 +65,10 @@ void write_text(const Font& font,
                 double y,
                 uint32_t colour,
                 Image& image) {
-  const ColourSink target(image, colour);
+  const port::Rgb888Canvas canvas = canvas_of(image, colour);
   const Line line = lay_out(font, text, Kerning::font, style);
-  Painter(target.sink())
-      .glyphs(font, style, make_point(x, y),
-              {line.glyphs.data(), line.glyphs.size()});
+  Painter(canvas).glyphs(font, style, make_point(x, y),
+                         {line.glyphs.data(), line.glyphs.size()});
 }
 
 Sheet::Sheet(const Font& font, const SheetLayout& layout)

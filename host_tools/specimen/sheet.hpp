@@ -51,20 +51,8 @@ Image colour_image(int width, int height, uint32_t colour);
 /// channels.
 void paste(const Image& from, int x, int y, Image& to);
 
-/// A sink that draws in colour, with sub-pixels, on a picture of three
-/// channels. Must not move.
-class ColourSink {
- public:
-  ColourSink(Image& image, uint32_t colour);
-  ColourSink(const ColourSink&) = delete;
-  ColourSink& operator=(const ColourSink&) = delete;
-
-  const Sink& sink() const { return sink_; }
-
- private:
-  port::Rgb888Target target_;
-  Sink sink_;
-};
+/// Draws in colour, with sub-pixels, on a picture of three channels.
+port::Rgb888Canvas canvas_of(Image& image, uint32_t colour);
 
 /// Draws text over a picture of three channels, its origin at (x, y). [px]
 void write_text(const Font& font,

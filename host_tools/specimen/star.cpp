@@ -142,12 +142,12 @@ class DeviceStar {
   // `effect` may be null.
   Image draw(const Effect* effect) const {
     Image image = colour_image(kSide, kSide, 0);
-    const ColourSink target(image, 0xffffff);
+    const port::Rgb888Canvas canvas = canvas_of(image, 0xffffff);
     Style style = make_style(kSide, 0, kFilterText);
     if (effect != nullptr) {
       style.set_effect(*effect);
     }
-    draw_field(field_, style, make_point(0, kSide), target.sink());
+    draw_field(field_, style, make_point(0, kSide), canvas);
     return image;
   }
 

@@ -72,15 +72,15 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   constexpr double kPx = 26;
   const int stride = (image.width + 7) / 8;
   std::vector<uint8_t> bits(static_cast<size_t>(stride * image.height));
-  port::MonoRowsTarget target;
-  target.strip.pixels = {bits.data(), bits.size()};
-  target.strip.width = image.width;
-  target.strip.height = image.height;
-  target.strip.stride = stride;
-  Sink plain;
-  Sink dithered;
-  if (make_sink(target, plain) != Status::ok ||
-      make_dithered_sink(target, dithered) != Status::ok) {
+  Strip strip;
+  strip.pixels = {bits.data(), bits.size()};
+  strip.width = image.width;
+  strip.height = image.height;
+  strip.stride = stride;
+  const port::MonoRowsCanvas plain(strip);
+  port::MonoRowsCanvas dithered(strip);
+  port::set_dither(dithered);
+  if (plain.status() != Status::ok) {
     throw std::runtime_error("the sample is too large to draw into");
   }
   // Half full in the middle of a stroke.
@@ -185,8 +185,8 @@ Image draw_effects(const Font& font) {
   add_outline("outline 1.5 px, outer", StrokePlace::outer, 1.5);
   const Stroke two(kFilterText, to_q10(2), StrokePlace::outer);
   sheet.add("outline and fill in one pass", kNight, [&](Image& image) {
-    const ColourSink fill(image, 0xffd070);
-    const StrokeAndFill both(two, &fill.sink());
+    const port::Rgb888Canvas fill = canvas_of(image, 0xffd070);
+    const StrokeAndFill both(two, &fill);
     Style style = make_style(kPx, 0, kFilterText);
     style.set_effect(both);
     sample.write(style, 0xb02030, image);

@@ -71,15 +71,13 @@ bool draw_line(const Line& line, const Sink& sink) {
   return true;
 }
 
-template <typename Target>
-bool draw_lines(Target& target, const Strip& strip) {
-  target.strip = strip;
-  Sink sink;
-  if (make_sink(target, sink) != Status::ok) {
+template <typename Canvas>
+bool draw_lines(const Canvas& canvas) {
+  if (canvas.status() != Status::ok) {
     return false;
   }
   for (const Line& line : kLines) {
-    if (!draw_line(line, sink)) {
+    if (!draw_line(line, canvas)) {
       return false;
     }
   }
@@ -87,85 +85,62 @@ bool draw_lines(Target& target, const Strip& strip) {
 }
 
 bool draw_a8(const Strip& strip) {
-  A8Target target;
-  return draw_lines(target, strip);
+  return draw_lines(A8Canvas(strip));
 }
 
 bool draw_grey8(const Strip& strip) {
-  Grey8Target target;
-  target.level = 240;
-  return draw_lines(target, strip);
+  return draw_lines(Grey8Canvas(strip, 240));
 }
 
 template <BitOrder kOrder>
 bool draw_grey4(const Strip& strip) {
-  Grey4Target target;
-  target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(Grey4Canvas(strip, 15, kOrder));
 }
 
 template <BitOrder kOrder>
 bool draw_grey2(const Strip& strip) {
-  Grey2Target target;
-  target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(Grey2Canvas(strip, 3, kOrder));
 }
 
 template <BitOrder kOrder>
 bool draw_mono_rows(const Strip& strip) {
-  MonoRowsTarget target;
-  target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(MonoRowsCanvas(strip, 1, kOrder));
 }
 
 bool draw_mono_pages(const Strip& strip) {
-  MonoPagesTarget target;
-  target.threshold = 100;
-  return draw_lines(target, strip);
+  MonoPagesCanvas canvas(strip);
+  canvas.set_threshold(100);
+  return draw_lines(canvas);
 }
 
 template <ByteOrder kOrder>
 bool draw_rgb565(const Strip& strip) {
-  Rgb565Target target;
-  target.colour = 0xfd88;
-  target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(Rgb565Canvas(strip, 0xfd88, kOrder));
 }
 
 template <ChannelOrder kOrder>
 bool draw_rgb888(const Strip& strip) {
-  Rgb888Target target;
-  target.colour = 0xffb040;
-  target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(Rgb888Canvas(strip, 0xffb040, kOrder));
 }
 
 bool draw_xrgb8888(const Strip& strip) {
-  Xrgb8888Target target;
-  target.colour = 0xff60c0ff;
-  return draw_lines(target, strip);
+  return draw_lines(Xrgb8888Canvas(strip, 0xff60c0ff));
 }
 
 bool draw_a8_styles(const Strip& strip) {
-  A8Target target;
-  target.strip = strip;
-  Sink sink;
-  return make_sink(target, sink) == Status::ok && draw_styles(sink);
+  const A8Canvas canvas(strip);
+  return canvas.status() == Status::ok && draw_styles(canvas);
 }
 
 bool draw_a8_outlines(const Strip& strip) {
-  A8Target target;
-  target.strip = strip;
-  Sink sink;
-  return make_sink(target, sink) == Status::ok && draw_outlines(sink);
+  const A8Canvas canvas(strip);
+  return canvas.status() == Status::ok && draw_outlines(canvas);
 }
 
 bool draw_rgb888_sub_pixels(const Strip& strip) {
-  Rgb888Target target;
-  target.strip = strip;
-  target.colour = 0xf0f0f0;
-  Sink sink;
-  return make_lcd_sink(target, sink) == Status::ok && draw_sub_pixels(sink);
+  Rgb888Canvas canvas(strip, 0xf0f0f0);
+  set_sub_pixels(canvas);
+  return canvas.status() == Status::ok && draw_sub_pixels(canvas);
 }
 
 struct DrawnPage {

@@ -67,18 +67,17 @@ scenes::SceneSetting setting_of(Text text) {
 
 // A strip and its ink.
 struct Sheet {
-  port::Xrgb8888Target target;
-  Sink sink;
+  port::Xrgb8888Canvas canvas;
 
   scenes::Paper paper(int32_t y, int32_t rows) {
     const size_t bytes = static_cast<size_t>(kWidth * rows) * 4;
-    target.strip = {{buffer, bytes}, 0, y, kWidth, rows, kWidth * 4};
-    CHECK_OK(port::make_sink(target, sink));
-    return {target.strip.rect(), this,
+    canvas.set_strip({{buffer, bytes}, 0, y, kWidth, rows, kWidth * 4});
+    CHECK_OK(canvas.status());
+    return {canvas.window, this,
             [](void* context, uint32_t rgb) -> const Sink& {
               Sheet& sheet = *static_cast<Sheet*>(context);
-              sheet.target.colour = 0xff000000 | rgb;
-              return sheet.sink;
+              sheet.canvas.set_colour(0xff000000 | rgb);
+              return sheet.canvas;
             }};
   }
 };
@@ -97,7 +96,7 @@ void add_frame(Scene& scene, int32_t rows, Sha256& sha) {
   Sheet sheet;
   for (int32_t y = 0; y < kHeight; y += rows) {
     scene.draw(sheet.paper(y, rows));
-    sha.add(sheet.target.strip.pixels);
+    sha.add(sheet.canvas.strip().pixels);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/text.hpp"
 
 namespace hostile {

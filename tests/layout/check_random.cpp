@@ -363,10 +363,9 @@ Picture draw(const Trial& trial, int32_t rows, Span<const TextLine> lines) {
     strip.width = kSide;
     strip.height = height;
     strip.stride = kSide;
-    port::A8Target target = {strip};
-    Sink sink;
-    check(port::make_sink(target, sink) == Status::ok, "no sink");
-    trial.box.draw(trial.view(), sink, {}, lines);
+    const port::A8Canvas canvas(strip);
+    check(canvas.status() == Status::ok, "no canvas");
+    trial.box.draw(trial.view(), canvas, {}, lines);
   }
   check(allocations == before, "drawing allocates");
   return picture;

@@ -39,22 +39,18 @@ Bitmap draw(const Font& font,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
   const Bilevel bilevel;
   Style style(Q26_6::from_int(px), kFilterText);
-  port::A8Target target;
-  target.strip.pixels = {picture.pixels.data(), picture.pixels.size()};
-  target.strip.width = side;
-  target.strip.height = side;
-  target.strip.stride = side;
-  Sink sink;
-  if (port::make_sink(target, sink) != Status::ok) {
+  const port::A8Canvas canvas(
+      {{picture.pixels.data(), picture.pixels.size()}, 0, 0, side, side, side});
+  if (canvas.status() != Status::ok) {
     std::abort();
   }
   if (is_crisp) {
     style.set_effect(bilevel);
   }
-  draw_glyph(font, glyph, style,
-             {Q26_6::from_raw(64 * px / 2 + x_q6),
-              Q26_6::from_raw(64 * 2 * px + y_q6)},
-             sink);
+  Painter(canvas).glyph(font, style,
+                        {Q26_6::from_raw(64 * px / 2 + x_q6),
+                         Q26_6::from_raw(64 * 2 * px + y_q6)},
+                        glyph);
   for (uint8_t& pixel : picture.pixels) {
     pixel = pixel >= 128 ? 1 : 0;
   }

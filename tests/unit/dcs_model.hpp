@@ -204,11 +204,8 @@ void check_shown(const DcsModel& model,
 
 inline constexpr auto kAll = [](int32_t, int32_t) { return true; };
 
-inline Rgb565Target make_target() {
-  Rgb565Target target;
-  target.order = ByteOrder::high_first;
-  target.colour = rgb565(0xff, 0x80, 0x20);
-  return target;
+inline Rgb565Canvas make_canvas() {
+  return Rgb565Canvas({}, rgb565(0xff, 0x80, 0x20), ByteOrder::high_first);
 }
 
 }  // namespace dcs_model

@@ -16,9 +16,10 @@ using namespace inkcell;
 inline constexpr size_t kMaxBytes = 2 * 240 * 320;  // of the largest picture
 
 /// The same words in each picture: a large line that leaves the screen on three
-/// sides, and a small one. `Target` is one of port/pixel, whose strip is set.
-template <typename Target>
-void draw_words(Target target) {
+/// sides, and a small one. `Canvas` is one of
+/// port/pixel.
+template <typename Canvas>
+void draw_words(const Canvas& canvas) {
   static uint8_t rom[outline_record::kSampleFontBytes];
   static const Font font = [] {
     Font opened;
@@ -29,28 +30,28 @@ void draw_words(Target target) {
   Style large, small;
   large = Style(61_px, kFilterArea);
   small = Style(13_px, kFilterArea);
-  Sink sink;
-  CHECK_OK(make_sink(target, sink));
-  Painter(sink).text(font, large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
-                     "DEFACED");
-  Painter(sink).text(font, small, {Q26_6::from_int(3), Q26_6::from_int(50)},
-                     "BEAD FACE");
-  Painter(sink).text(font, large, {Q26_6::from_int(30), Q26_6::from_int(150)},
-                     "FADE");
+  CHECK_OK(canvas.status());
+  const Painter painter(canvas);
+  painter.text(font, large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
+               "DEFACED");
+  painter.text(font, small, {Q26_6::from_int(3), Q26_6::from_int(50)},
+               "BEAD FACE");
+  painter.text(font, large, {Q26_6::from_int(30), Q26_6::from_int(150)},
+               "FADE");
 }
 
 /// Clears a strip to `background` and draws the words.
-template <typename Target>
-void draw_page(Target target, uint8_t background) {
-  for (uint8_t& byte : target.strip.pixels) {
+template <typename Canvas>
+void draw_page(const Canvas& canvas, uint8_t background) {
+  for (uint8_t& byte : canvas.strip().pixels) {
     byte = background;
   }
-  draw_words(target);
+  draw_words(canvas);
 }
 
 /// The whole picture in memory of its own, as the core draws it.
-template <typename Target>
-Strip reference(Target target,
+template <typename Canvas>
+Strip reference(Canvas canvas,
                 port::PixelFormat format,
                 int32_t width,
                 int32_t height,
@@ -58,21 +59,25 @@ Strip reference(Target target,
   static uint8_t pixels[kMaxBytes];
   const size_t bytes = port::strip_bytes(format, width, height);
   CHECK(bytes <= kMaxBytes);
-  target.strip = {{pixels, bytes}, 0,      0,
-                  width,           height, port::stride_bytes(format, width)};
-  draw_page(target, background);
+  canvas.set_strip({{pixels, bytes},
+                    0,
+                    0,
+                    width,
+                    height,
+                    port::stride_bytes(format, width)});
+  draw_page(canvas, background);
   int64_t drawn = 0;
-  for (const uint8_t byte : target.strip.pixels) {
+  for (const uint8_t byte : canvas.strip().pixels) {
     drawn += byte != background ? 1 : 0;
   }
   CHECK(drawn > 100 && "there is text");
-  return target.strip;
+  return canvas.strip();
 }
 
 /// Draws the page strip by strip, each with `rows` rows and `gap` bytes behind
 /// each, and has `write(strip)` send it.
-template <typename Target, typename Write>
-void show_page(const Target& target,
+template <typename Canvas, typename Write>
+void show_page(const Canvas& canvas,
                port::PixelFormat format,
                const Rect& part,
                int32_t rows,
@@ -80,8 +85,8 @@ void show_page(const Target& target,
                uint8_t background,
                const Write& write) {
   static uint8_t pixels[kMaxBytes];
-  Target piece = target;
-  Strip& strip = piece.strip;
+  Canvas piece = canvas;
+  Strip strip;
   strip.x0 = part.x0;
   strip.width = part.x1 - part.x0;
   strip.stride = port::stride_bytes(format, strip.width) + gap;
@@ -92,6 +97,7 @@ void show_page(const Target& target,
     strip.pixels = {pixels, static_cast<size_t>(strip.stride) *
                                 static_cast<size_t>(strip.height / per_stride)};
     CHECK(strip.pixels.size <= kMaxBytes);
+    piece.set_strip(strip);
     draw_page(piece, background);
     CHECK_OK(write(strip));
   }

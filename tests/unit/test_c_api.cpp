@@ -50,13 +50,12 @@ TEST(label_is_that_of_cpp) {
 
   const Font font = open();
   Style style(12_px, kFilterText);
-  port::MonoPagesTarget target;
-  target.strip = {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH};
-  Sink sink;
-  CHECK_OK(port::make_sink(target, sink));
+  const port::MonoPagesCanvas canvas(
+      {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH});
+  CHECK_OK(canvas.status());
   const int32_t width =
       to_px(font, style, measure(font, kText, style).advance).raw;
-  Painter(sink).text(
+  Painter(canvas).text(
       font, style,
       {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
       kText);
@@ -108,15 +107,14 @@ TEST(clock_is_that_of_cpp) {
   // All at once, but at the places within a pixel that a cache has.
   const Font font = open();
   Style style(30_px, kFilterArea);
-  port::Rgb565Target target;
-  target.strip = {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2};
-  target.colour = port::rgb565(255, 200, 0);
-  Sink sink;
-  CHECK_OK(port::make_sink(target, sink));
+  const port::Rgb565Canvas canvas(
+      {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2},
+      port::rgb565(255, 200, 0));
+  CHECK_OK(canvas.status());
   alignas(8) static uint8_t ram[2048];
   GlyphCache cache;
   CHECK_OK(GlyphCache::make(ram, {}, cache));
-  Painter(sink, {}, &cache)
+  Painter(canvas, {}, &cache)
       .text(font, style, {Q26_6::from_int(4), Q26_6::from_int(32)}, "42 24");
   CHECK_EQ(differences(by_c, by_cpp), 0);
   CHECK_EQ(stats.misses, cache.stats().misses);
@@ -130,16 +128,14 @@ TEST(paragraph_is_that_of_cpp) {
 
   const Font font = open();
   Style style(14_px, kFilterText);
-  port::Grey8Target target;
-  target.strip = {by_cpp,         0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT,
-                  PARAGRAPH_WIDTH};
-  Sink sink;
-  CHECK_OK(port::make_sink(target, sink));
+  const port::Grey8Canvas canvas(
+      {by_cpp, 0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT, PARAGRAPH_WIDTH});
+  CHECK_OK(canvas.status());
   TextBox box(font, style, {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4},
               Align::centre);
   box.options.ellipsis = Ellipsis::end;
   box.vertical = VerticalAlign::middle;
-  box.draw(kLongText, sink);
+  box.draw(kLongText, canvas);
   CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 

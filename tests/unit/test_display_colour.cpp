@@ -27,12 +27,12 @@ void check_page(DcsModel& model,
   CHECK_EQ(model.pixel_format & 7, 5);
   CHECK_EQ((model.access & 0x08) != 0, panel.blue_first);
   CHECK_EQ(model.resets, 1);
-  const Rgb565Target target = make_target();
+  const Rgb565Canvas canvas = make_canvas();
   display_page::show_page(
-      target, kFormat, all, rows, gap, 0x10,
+      canvas, kFormat, all, rows, gap, 0x10,
       [&display](const Strip& strip) { return write(display, strip); });
   const Strip picture =
-      display_page::reference(target, kFormat, all.x1, all.y1, 0x10);
+      display_page::reference(canvas, kFormat, all.x1, all.y1, 0x10);
   check_shown(model, panel, picture, kAll);
 }
 
@@ -126,11 +126,11 @@ TEST(windows_have_their_own_place) {
     display.panel.rotation = rotation;
     CHECK_OK(init(display));
     const Rect part = {31, 57, 140, 190};
-    const Rgb565Target target = make_target();
+    const Rgb565Canvas canvas = make_canvas();
     display_page::show_page(
-        target, kFormat, part, 30, 0, 0,
+        canvas, kFormat, part, 30, 0, 0,
         [&display](const Strip& strip) { return write(display, strip); });
-    const Strip picture = display_page::reference(target, kFormat, 240, 240, 0);
+    const Strip picture = display_page::reference(canvas, kFormat, 240, 240, 0);
     check_shown(model, display.panel, picture, [&part](int32_t x, int32_t y) {
       return x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
     });

@@ -159,10 +159,8 @@ struct EpaperModel {
   }
 };
 
-MonoRowsTarget make_target() {
-  MonoRowsTarget target;
-  target.level = 0;
-  return target;
+MonoRowsCanvas make_canvas() {
+  return MonoRowsCanvas({}, 0);
 }
 
 void send_page(const Ssd1680& display,
@@ -170,7 +168,7 @@ void send_page(const Ssd1680& display,
                const Rect& part,
                int32_t rows,
                int32_t gap) {
-  display_page::show_page(make_target(), kFormat, part, rows, gap, 0xff,
+  display_page::show_page(make_canvas(), kFormat, part, rows, gap, 0xff,
                           [&display, plane](const Strip& strip) {
                             return write(display, strip, plane);
                           });
@@ -208,7 +206,7 @@ TEST(a_full_refresh_shows_text) {
     Ssd1680 display = {model.bus(), p.controller, p.width, p.height};
     display.from_output_8 = p.width == 128;
     const Rect all = {0, 0, p.width, p.height};
-    const Strip picture = display_page::reference(make_target(), kFormat,
+    const Strip picture = display_page::reference(make_canvas(), kFormat,
                                                   p.width, p.height, 0xff);
     CHECK_OK(init(display));
     CHECK_EQ(model.gates, p.height);
@@ -236,7 +234,7 @@ TEST(a_partial_refresh_changes_its_rectangle_alone) {
   send_page(display, EpaperPlane::next, part, 10, 0);
   CHECK_OK(refresh(display, EpaperRefresh::partial));
   const Strip picture =
-      display_page::reference(make_target(), kFormat, 200, 200, 0xff);
+      display_page::reference(make_canvas(), kFormat, 200, 200, 0xff);
   check_plane(model.glass, picture, part, 0xff);
   // Now the panel shows the part; the next refresh starts from there.
   send_page(display, EpaperPlane::shown, part, 10, 0);

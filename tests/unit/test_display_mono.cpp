@@ -205,13 +205,13 @@ void check_shown(const MonoModel& model,
 // picture.
 template <typename Display>
 void check_page(MonoModel& model, const Display& display, const Place& place) {
-  const MonoPagesTarget target = {};
+  const MonoPagesCanvas canvas;
   const Strip picture =
-      display_page::reference(target, kFormat, place.width, place.height, 0);
+      display_page::reference(canvas, kFormat, place.width, place.height, 0);
   CHECK_OK(init(display));
   const Rect all = {0, 0, place.width, place.height};
   display_page::show_page(
-      target, kFormat, all, place.rows, place.gap, 0,
+      canvas, kFormat, all, place.rows, place.gap, 0,
       [&display](const Strip& strip) { return write(display, strip); });
   check_shown(model, picture, place);
 }
@@ -279,7 +279,7 @@ TEST(parts_are_replaced) {
   CHECK_OK(write(ssd1306, part));
   CHECK_OK(write(sh1106, part));
   const Strip picture =
-      display_page::reference(MonoPagesTarget{}, kFormat, 128, 64, 0);
+      display_page::reference(MonoPagesCanvas(), kFormat, 128, 64, 0);
   for (int32_t y = 0; y < 16; ++y) {
     for (int32_t x = 0; x < 19; ++x) {
       picture.pixels[static_cast<size_t>((2 + y / 8) * 128 + 77 + x)] =

@@ -219,9 +219,7 @@ TEST(a_driver_starts_transfers) {
   loop.strips.draw = [](void* context, const Strip& strip) {
     DmaBus& dma = static_cast<DmaScreen*>(context)->dma;
     dma.overlapped += dma.sending != nullptr ? 1 : 0;
-    MonoPagesTarget target;
-    target.strip = strip;
-    display_page::draw_page(target, 0);
+    display_page::draw_page(MonoPagesCanvas(strip), 0);
   };
   loop.strips.flush = [](void* context, const Strip& strip) {
     CHECK_OK(write(static_cast<DmaScreen*>(context)->display, strip));
@@ -234,7 +232,7 @@ TEST(a_driver_starts_transfers) {
   CHECK_EQ(screen.dma.starts, 4);
   CHECK_EQ(screen.dma.overlapped, 3);
   const Strip picture = display_page::reference(
-      MonoPagesTarget{}, PixelFormat::mono_pages, 128, 64, 0);
+      MonoPagesCanvas(), PixelFormat::mono_pages, 128, 64, 0);
   for (size_t i = 0; i < picture.pixels.size && !check::failed(); ++i) {
     CHECK_EQ(screen.dma.memory[i / 128][i % 128], picture.pixels[i]);
   }

@@ -1,5 +1,5 @@
-// Targets in the memory of other libraries' pictures, against plain versions of
-// how these libraries read a pixel; and the lines of docs/PORTING.md.
+// Canvases over the memory of other libraries' pictures, against plain versions
+// of how these libraries read a pixel; and the lines of docs/PORTING.md.
 #include "check.hpp"
 #include "display_page.hpp"
 #include "inkcell/painter.hpp"
@@ -18,7 +18,7 @@ constexpr int32_t kHeight = 70;
 // Coverage of the page, as 8-bit grey.
 uint8_t grey_at(int32_t x, int32_t y) {
   static const Strip picture = display_page::reference(
-      Grey8Target{}, PixelFormat::grey8, kWidth, kHeight, 0);
+      Grey8Canvas(), PixelFormat::grey8, kWidth, kHeight, 0);
   return picture.pixels[static_cast<size_t>(y * picture.stride + x)];
 }
 
@@ -40,14 +40,14 @@ bool is_drawn(uint8_t coverage) {
 }
 
 // GFXcanvas1, and TFT_eSPI's sprite of 1 bit: rows of bytes, high bit left.
-template <typename Target>
-void check_bits(Target (*make)(uint8_t*, int32_t, int32_t)) {
+using MakeBits = MonoRowsCanvas (*)(uint8_t*, int32_t, int32_t);
+void check_bits(MakeBits make) {
   constexpr int32_t kBytes = (kWidth + 7) / 8;
   static uint8_t buffer[kBytes * kHeight + 1];
   buffer[sizeof buffer - 1] = 0x5a;
-  const Target target = make(buffer, kWidth, kHeight);
-  CHECK_EQ(target.strip.pixels.size, sizeof buffer - 1);
-  display_page::draw_page(target, 0);
+  const MonoRowsCanvas canvas = make(buffer, kWidth, kHeight);
+  CHECK_EQ(canvas.strip().pixels.size, sizeof buffer - 1);
+  display_page::draw_page(canvas, 0);
   check_pixels(
       kWidth, kHeight,
       [](int32_t x, int32_t y) {
@@ -58,14 +58,15 @@ void check_bits(Target (*make)(uint8_t*, int32_t, int32_t)) {
 }
 
 TEST(gfx_canvas1_is_drawn_on) {
-  check_bits<MonoRowsTarget>(gfx_canvas1);
+  check_bits([](uint8_t* buffer, int32_t width, int32_t height) {
+    return gfx_canvas1(buffer, width, height);
+  });
 }
 
 TEST(tft_sprites_of_1_bit_are_drawn_on) {
-  check_bits<MonoRowsTarget>(
-      [](uint8_t* buffer, int32_t width, int32_t height) {
-        return tft_sprite1(buffer, width, height);
-      });
+  check_bits([](uint8_t* buffer, int32_t width, int32_t height) {
+    return tft_sprite1(buffer, width, height);
+  });
 }
 
 TEST(gfx_canvas8_is_drawn_on) {
@@ -77,7 +78,7 @@ TEST(gfx_canvas8_is_drawn_on) {
       [](uint8_t coverage) { return coverage; });
 }
 
-// What an Rgb565Target makes of white over black: rgb565.hpp says how far from
+// What an Rgb565Canvas makes of white over black: rgb565.hpp says how far from
 // exact, so that only its two ends and its order are compared.
 template <typename Read>
 void check_white(const Read& read) {
@@ -152,13 +153,11 @@ struct GFXcanvas16 {
 Status draw_on_canvas(GFXcanvas16& canvas,
                       const Font& font,
                       const Style& style) {
-  port::Rgb565Target target =
-      port::gfx_canvas16(canvas.getBuffer(), canvas.width(), canvas.height());
-  target.colour = port::rgb565(255, 200, 0);
-  Sink sink;
-  INKCELL_TRY(port::make_sink(target, sink));
-  Painter(sink).text(font, style, {4, 28}, "ABC");
-  return Status::ok;
+  const port::Rgb565Canvas paper =
+      port::gfx_canvas16(canvas.getBuffer(), canvas.width(), canvas.height(),
+                         port::rgb565(255, 200, 0));
+  Painter(paper).text(font, style, {4, 28}, "ABC");
+  return paper.status();
 }
 
 TEST(a_canvas_takes_text) {

@@ -5,19 +5,36 @@
 
 using namespace inkcell;
 
-struct Rgb332Target {
+struct Rgb332Canvas : Sink {
   Strip strip;
-  uint8_t colour = 0xff;  // RRRGGGBB
+  uint8_t colour;  // RRRGGGBB
+
+  Rgb332Canvas(const Strip& rows, uint8_t foreground)
+      : strip(rows), colour(foreground) {
+    window = strip.rect();
+    context = this;
+    coverage = coverage_332;
+    solid = solid_332;
+  }
+  Rgb332Canvas(const Rgb332Canvas&) =
+      delete;  // the context would be the other's
+
+  static void coverage_332(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* coverage,
+                           int32_t count);
+  static void solid_332(void* context, int32_t x, int32_t y, int32_t count);
 };
 
-void coverage_332(void* context,
-                  int32_t x,
-                  int32_t y,
-                  const uint8_t* coverage,
-                  int32_t count) {
-  const auto& target = *static_cast<const Rgb332Target*>(context);
-  const Strip& strip = target.strip;
-  const uint32_t colour = target.colour;
+void Rgb332Canvas::coverage_332(void* context,
+                                int32_t x,
+                                int32_t y,
+                                const uint8_t* coverage,
+                                int32_t count) {
+  const auto& canvas = *static_cast<const Rgb332Canvas*>(context);
+  const Strip& strip = canvas.strip;
+  const uint32_t colour = canvas.colour;
   uint8_t* pixel =
       strip.pixels.data + (y - strip.y0) * strip.stride + (x - strip.x0);
   for (int32_t i = 0; i < count; ++i, ++pixel) {
@@ -29,26 +46,23 @@ void coverage_332(void* context,
   }
 }
 
-void solid_332(void* context, int32_t x, int32_t y, int32_t count) {
-  const auto& target = *static_cast<const Rgb332Target*>(context);
-  const Strip& strip = target.strip;
+void Rgb332Canvas::solid_332(void* context,
+                             int32_t x,
+                             int32_t y,
+                             int32_t count) {
+  const auto& canvas = *static_cast<const Rgb332Canvas*>(context);
+  const Strip& strip = canvas.strip;
   uint8_t* pixel =
       strip.pixels.data + (y - strip.y0) * strip.stride + (x - strip.x0);
   for (int32_t i = 0; i < count; ++i) {
-    pixel[i] = target.colour;
+    pixel[i] = canvas.colour;
   }
-}
-
-Sink make_sink(Rgb332Target& target) {
-  return {target.strip.rect(), &target, coverage_332, solid_332};
 }
 
 TEST(own_sink_blends_each_channel) {
   uint8_t pixels[2][5] = {{0, 0, 0, 0, 0}, {0, 0, 0b10010010, 0, 0}};
-  Rgb332Target target;
-  target.strip = {{&pixels[0][0], sizeof pixels}, 10, 20, 5, 2, 5};
-  target.colour = 0b11101001;  // 7, 2, 1
-  const Sink sink = make_sink(target);
+  const Rgb332Canvas sink({{&pixels[0][0], sizeof pixels}, 10, 20, 5, 2, 5},
+                          0b11101001);  // 7, 2, 1
   CHECK_EQ(sink.window.x1, 15);
   sink.solid(sink.context, 11, 20, 3);
   CHECK_EQ(pixels[0][0], 0);

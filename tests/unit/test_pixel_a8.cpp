@@ -21,13 +21,9 @@ uint8_t added(uint32_t above, uint32_t below) {
 
 // Draws a span over what is there, and compares all bytes.
 void check_span(const uint8_t* from, size_t shift, int32_t x, int32_t count) {
-  port::A8Target target;
-  target.strip.pixels = {pixels + kMargin + shift, kWidth};
-  target.strip.width = kWidth;
-  target.strip.height = 1;
-  target.strip.stride = kWidth;
-  Sink sink;
-  CHECK_OK(make_sink(target, sink));
+  port::A8Canvas sink(
+      {{pixels + kMargin + shift, kWidth}, 0, 0, kWidth, 1, kWidth});
+  CHECK_OK(sink.status());
   for (size_t i = 0; i < sizeof pixels; ++i) {
     expected[i] = pixels[i];
   }
@@ -76,13 +72,8 @@ TEST(spans_over_little_ink) {
 // The ramp of filter `text` is the same pixel by pixel and by words.
 TEST(ramps_over_little_ink) {
   Random random(2);
-  Sink sink;
-  port::A8Target target;
-  target.strip.pixels = {pixels + kMargin, kWidth};
-  target.strip.width = kWidth;
-  target.strip.height = 1;
-  target.strip.stride = kWidth;
-  CHECK_OK(make_sink(target, sink));
+  port::A8Canvas sink({{pixels + kMargin, kWidth}, 0, 0, kWidth, 1, kWidth});
+  CHECK_OK(sink.status());
   if (sink.ramp == nullptr) {
     return;  // built for size: bands come as coverage
   }
@@ -115,6 +106,6 @@ TEST(ramps_over_little_ink) {
     }
   }
   // Words of which a part lies outside of the strip.
-  target.strip.width = kWidth - 1;
+  sink.set_strip({{pixels + kMargin, kWidth}, 0, 0, kWidth - 1, 1, kWidth});
   CHECK(!sink.ramp(sink.context, {{36, 0, 39, 1}, painted, kWidth + 8}));
 }

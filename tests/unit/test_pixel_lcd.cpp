@@ -87,23 +87,23 @@ int32_t bayer(int32_t x, int32_t y) {
   return 16 * (4 * low + high) + 8;
 }
 
-template <typename Target>
-void check_grey(Target target, uint8_t level, int32_t bits) {
-  target.level = level;
+template <typename Canvas>
+void check_grey(PixelFormat format, uint8_t level, int32_t bits) {
   for (Rounds rounds(17, 300); rounds.next();) {
     Random& random = rounds.random;
     const int32_t round = rounds.number;
-    target.order = round % 2 == 0 ? BitOrder::high_left : BitOrder::low_left;
+    const bool high = round % 2 == 0;
     fill(random);
-    Sink sink;
-    CHECK_OK(make_dithered_sink(target, sink));
+    Canvas sink(strip_of(format), level,
+                high ? BitOrder::high_left : BitOrder::low_left);
+    set_dither(sink);
+    CHECK_OK(sink.status());
     const Run run = any_run(random);
     sink.coverage(sink.context, run.x, run.y, coverages, run.count);
     for (int32_t y = 0; y < kHeight; ++y) {
       for (int32_t x = 0; x < kWidth; ++x) {
         const uint8_t* c = given(run, x, y, 1);
-        const int32_t stride = target.strip.stride;
-        const bool high = target.order == BitOrder::high_left;
+        const int32_t stride = sink.strip().stride;
         const uint32_t old = bits_at(before, stride, x, y, bits, high);
         uint32_t expected = old;
         if (c != nullptr && *c != 0) {
@@ -119,25 +119,27 @@ void check_grey(Target target, uint8_t level, int32_t bits) {
   }
 }
 
-template <typename Target, typename Bit>
-void check_mono(Target target, const Bit& bit) {
+template <typename Canvas, typename Bit>
+void check_mono(PixelFormat format, const Bit& bit) {
   for (Rounds rounds(18, 300); rounds.next();) {
     Random& random = rounds.random;
     const int32_t round = rounds.number;
-    target.level = static_cast<uint8_t>(round & 1);
-    target.threshold = static_cast<uint8_t>(round % 3 == 0 ? 100 : 128);
+    const auto level = static_cast<uint8_t>(round & 1);
+    const uint8_t threshold = round % 3 == 0 ? 100 : 128;
     fill(random);
-    Sink sink;
-    CHECK_OK(make_dithered_sink(target, sink));
+    Canvas sink(strip_of(format), level);
+    sink.set_threshold(threshold);
+    set_dither(sink);
+    CHECK_OK(sink.status());
     const Run run = any_run(random);
     sink.coverage(sink.context, run.x, run.y, coverages, run.count);
     for (int32_t y = 0; y < kHeight; ++y) {
       for (int32_t x = 0; x < kWidth; ++x) {
         const uint8_t* c = given(run, x, y, 1);
-        const int32_t step = bayer(kX0 + x, kY0 + y) + target.threshold - 128;
+        const int32_t step = bayer(kX0 + x, kY0 + y) + threshold - 128;
         const bool is_drawn =
             c != nullptr && *c != 0 && (*c == 255 || *c >= step);
-        CHECK_EQ(bit(bytes, x, y), is_drawn ? target.level : bit(before, x, y));
+        CHECK_EQ(bit(bytes, x, y), is_drawn ? level : bit(before, x, y));
       }
     }
   }
@@ -173,11 +175,10 @@ TEST(bytes_blend_each_channel_for_itself) {
     const int32_t round = rounds.number;
     fill(random);
     const bool red_first = round % 2 == 0;
-    Rgb888Target target{
+    Rgb888Canvas sink(
         strip_of(PixelFormat::rgb888), kColour,
-        red_first ? ChannelOrder::red_first : ChannelOrder::blue_first};
-    Sink sink;
-    CHECK_OK(make_lcd_sink(target, sink));
+        red_first ? ChannelOrder::red_first : ChannelOrder::blue_first);
+    set_sub_pixels(sink);
     check_lcd(sink, 3, red_first ? kRedFirst : kBlueFirst, kLevels,
               any_run(random));
   }
@@ -187,9 +188,8 @@ TEST(words_blend_each_channel_for_itself) {
   for (Rounds rounds(16, 300); rounds.next();) {
     Random& random = rounds.random;
     fill(random);
-    Xrgb8888Target target{strip_of(PixelFormat::xrgb8888), kColour};
-    Sink sink;
-    CHECK_OK(make_lcd_sink(target, sink));
+    Xrgb8888Canvas sink(strip_of(PixelFormat::xrgb8888), kColour);
+    set_sub_pixels(sink);
     check_lcd(sink, 4, kBlueFirst, kLevels, any_run(random));
   }
 }
@@ -201,11 +201,9 @@ TEST(rgb565_blends_each_channel_for_itself) {
     fill(random);
     const uint16_t colour = rgb565(0x40, 0xc2, 0xfe);
     const int low = round % 2;
-    Rgb565Target target{
-        strip_of(PixelFormat::rgb565), colour,
-        low == 0 ? ByteOrder::low_first : ByteOrder::high_first};
-    Sink sink;
-    CHECK_OK(make_lcd_sink(target, sink));
+    Rgb565Canvas sink(strip_of(PixelFormat::rgb565), colour,
+                      low == 0 ? ByteOrder::low_first : ByteOrder::high_first);
+    set_sub_pixels(sink);
     const Run run = any_run(random);
     sink.coverage_rgb(sink.context, run.x, run.y, coverages, run.count);
     for (int32_t i = 0; i < kWidth * kHeight; ++i) {
@@ -225,52 +223,51 @@ TEST(rgb565_blends_each_channel_for_itself) {
 }
 
 TEST(plain_sinks_know_no_sub_pixels) {
-  Rgb565Target target{strip_of(PixelFormat::rgb565)};
-  Sink sink;
-  CHECK_OK(make_lcd_sink(target, sink));
-  CHECK(sink.coverage_rgb != nullptr);
-  CHECK_OK(make_sink(target, sink));
+  Rgb565Canvas sink(strip_of(PixelFormat::rgb565));
   CHECK(sink.coverage_rgb == nullptr);
+  set_sub_pixels(sink);
+  CHECK(sink.coverage_rgb != nullptr);
+  sink.set_strip(strip_of(PixelFormat::rgb565));
+  CHECK(sink.coverage_rgb != nullptr);
 }
 
 TEST(rows_dither) {
-  MonoRowsTarget target{strip_of(PixelFormat::mono_rows)};
-  check_mono(target, [](const uint8_t* data, int32_t x, int32_t y) {
-    return bits_at(data, (kWidth + 7) / 8, x, y, 1, true);
-  });
+  check_mono<MonoRowsCanvas>(
+      PixelFormat::mono_rows, [](const uint8_t* data, int32_t x, int32_t y) {
+        return bits_at(data, (kWidth + 7) / 8, x, y, 1, true);
+      });
 }
 
 TEST(pages_dither) {
-  MonoPagesTarget target{strip_of(PixelFormat::mono_pages)};
-  check_mono(target, [](const uint8_t* data, int32_t x, int32_t y) {
-    return static_cast<uint32_t>(data[y / 8 * kWidth + x] >> y % 8) & 1;
-  });
+  check_mono<MonoPagesCanvas>(
+      PixelFormat::mono_pages, [](const uint8_t* data, int32_t x, int32_t y) {
+        return static_cast<uint32_t>(data[y / 8 * kWidth + x] >> y % 8) & 1;
+      });
 }
 
 TEST(greys_dither) {
-  check_grey(Grey2Target{strip_of(PixelFormat::grey2)}, 3, 2);
-  check_grey(Grey2Target{strip_of(PixelFormat::grey2)}, 1, 2);
-  check_grey(Grey4Target{strip_of(PixelFormat::grey4)}, 15, 4);
+  check_grey<Grey2Canvas>(PixelFormat::grey2, 3, 2);
+  check_grey<Grey2Canvas>(PixelFormat::grey2, 1, 2);
+  check_grey<Grey4Canvas>(PixelFormat::grey4, 15, 4);
 }
 
 // A shade becomes as many pixels of 16 as it says.
 TEST(shades_keep_their_weight) {
   for (int32_t shade = 0; shade < 256; ++shade) {
-    MonoRowsTarget target{strip_of(PixelFormat::mono_rows)};
+    MonoRowsCanvas sink(strip_of(PixelFormat::mono_rows));
+    set_dither(sink);
     for (uint8_t& byte : bytes) {
       byte = 0;
     }
     for (uint8_t& coverage : coverages) {
       coverage = static_cast<uint8_t>(shade);
     }
-    Sink sink;
-    CHECK_OK(make_dithered_sink(target, sink));
     int32_t drawn = 0;
     for (int32_t y = 0; y < 4; ++y) {
       sink.coverage(sink.context, kX0, kY0 + y, coverages, 4);
       for (int32_t x = 0; x < 4; ++x) {
         drawn += static_cast<int32_t>(
-            bits_at(bytes, target.strip.stride, x, y, 1, true));
+            bits_at(bytes, sink.strip().stride, x, y, 1, true));
       }
     }
     const int32_t error = 16 * drawn - shade;
@@ -283,10 +280,9 @@ TEST(solid_pixels_are_drawn_and_empty_ones_are_not) {
   constexpr uint8_t kThresholds[] = {1, 255};
   for (const uint8_t threshold : kThresholds) {
     uint8_t pixels[4] = {};
-    MonoRowsTarget target{{pixels, 0, 0, 8, 4, 1}};
-    target.threshold = threshold;
-    Sink sink;
-    CHECK_OK(make_dithered_sink(target, sink));
+    MonoRowsCanvas sink({pixels, 0, 0, 8, 4, 1});
+    sink.set_threshold(threshold);
+    set_dither(sink);
     const uint8_t coverage[] = {255, 0, 255, 0, 0, 255, 0, 255};
     for (int32_t y = 0; y < 4; ++y) {
       sink.coverage(sink.context, 0, y, coverage, 8);
@@ -297,25 +293,9 @@ TEST(solid_pixels_are_drawn_and_empty_ones_are_not) {
 
 TEST(dithered_levels_out_of_range_stay_in_their_pixel) {
   uint8_t byte[1] = {0};
-  Grey4Target target{{byte, 0, 0, 1, 1, 1}};
-  target.order = BitOrder::low_left;
-  Sink sink;
-  CHECK_OK(make_dithered_sink(target, sink));
-  target.level = 255;
+  Grey4Canvas sink({byte, 0, 0, 1, 1, 1}, 255, BitOrder::low_left);
+  set_dither(sink);
   const uint8_t coverage[1] = {255};
   sink.coverage(sink.context, 0, 0, coverage, 1);
   CHECK_EQ(byte[0], 0x0f);
-}
-
-TEST(wrong_targets_make_no_sink) {
-  Sink sink;
-  Grey2Target grey{strip_of(PixelFormat::grey2), 4};
-  CHECK_EQ(make_dithered_sink(grey, sink), Status::bad_argument);
-  MonoRowsTarget rows{strip_of(PixelFormat::mono_rows), 0};
-  CHECK_EQ(make_dithered_sink(rows, sink), Status::bad_argument);
-  Rgb888Target rgb{strip_of(PixelFormat::rgb888)};
-  rgb.strip.pixels.size = 5;
-  CHECK_EQ(make_lcd_sink(rgb, sink), Status::buffer_small);
-  CHECK(sink.coverage == nullptr);
-  CHECK(sink.coverage_rgb == nullptr);
 }

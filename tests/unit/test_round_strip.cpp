@@ -31,20 +31,21 @@ TEST(gc9a01_shows_all_of_its_circle) {
     display.panel.height = 240;
     display.panel.mirror_columns = true;
     CHECK_OK(init(display));
-    Rgb565Target target = make_target();
+    Rgb565Canvas canvas = make_canvas();
     static uint8_t pixels[2 * 240 * 64];
     for (int32_t y = 0; y < 240; y += rows) {
       const int32_t height = 240 - y < rows ? 240 - y : rows;
       const Strip whole = {pixels, 0, y, 240, height, 480};
-      target.strip = round_strip(whole, kFormat, 240);
-      CHECK_EQ(target.strip.height, height);
-      CHECK_EQ(target.strip.stride, 2 * target.strip.width);
-      CHECK(target.strip.width > 0 && target.strip.width <= 240);
-      display_page::draw_page(target, 0x10);
-      CHECK_OK(write(display, target.strip));
+      canvas.set_strip(round_strip(whole, kFormat, 240));
+      const Strip& strip = canvas.strip();
+      CHECK_EQ(strip.height, height);
+      CHECK_EQ(strip.stride, 2 * strip.width);
+      CHECK(strip.width > 0 && strip.width <= 240);
+      display_page::draw_page(canvas, 0x10);
+      CHECK_OK(write(display, strip));
     }
     const Strip picture =
-        display_page::reference(target, kFormat, 240, 240, 0x10);
+        display_page::reference(canvas, kFormat, 240, 240, 0x10);
     // Each strip has the columns of its row that is nearest to the centre.
     check_shown(model, display.panel, picture, [rows](int32_t x, int32_t y) {
       const int32_t first = y / rows * rows;

@@ -43,35 +43,35 @@ struct Paint;
 
 template <>
 struct Paint<port::PixelFormat::grey4> {
-  using Target = port::Grey4Target;
-  static void set(Target& target, Ink ink) noexcept {
-    target.level = kGreys[static_cast<uint8_t>(ink)];
+  using Canvas = port::Grey4Canvas;
+  static void set(Canvas& canvas, Ink ink) noexcept {
+    canvas.set_level(kGreys[static_cast<uint8_t>(ink)]);
   }
 };
 
 template <>
 struct Paint<port::PixelFormat::mono_pages> {
-  using Target = port::MonoPagesTarget;
-  static void set(Target& target, Ink ink) noexcept {
-    target.level = ink == Ink::background ? 0 : 1;
+  using Canvas = port::MonoPagesCanvas;
+  static void set(Canvas& canvas, Ink ink) noexcept {
+    canvas.set_level(ink == Ink::background ? 0 : 1);
   }
 };
 
 template <>
 struct Paint<port::PixelFormat::rgb565> {
-  using Target = port::Rgb565Target;
-  static void set(Target& target, Ink ink) noexcept {
-    target.colour = port::rgb565(static_cast<uint8_t>(colour(ink) >> 16),
-                                 static_cast<uint8_t>(colour(ink) >> 8),
-                                 static_cast<uint8_t>(colour(ink)));
+  using Canvas = port::Rgb565Canvas;
+  static void set(Canvas& canvas, Ink ink) noexcept {
+    canvas.set_colour(port::rgb565(static_cast<uint8_t>(colour(ink) >> 16),
+                                   static_cast<uint8_t>(colour(ink) >> 8),
+                                   static_cast<uint8_t>(colour(ink))));
   }
 };
 
 template <>
 struct Paint<port::PixelFormat::xrgb8888> {
-  using Target = port::Xrgb8888Target;
-  static void set(Target& target, Ink ink) noexcept {
-    target.colour = 0xff000000 | colour(ink);
+  using Canvas = port::Xrgb8888Canvas;
+  static void set(Canvas& canvas, Ink ink) noexcept {
+    canvas.set_colour(0xff000000 | colour(ink));
   }
 };
 
@@ -80,16 +80,9 @@ struct Paint<port::PixelFormat::xrgb8888> {
 /// A strip filled with the background, and its sinks.
 class Canvas {
  public:
-  explicit Canvas(const Strip& strip) noexcept {
-    target_.strip = strip;
-    // Cannot fail, as the demo made the strip. If it did, the sink would have
-    // an empty window and nothing would be drawn.
-    static_cast<void>(port::make_sink(target_, sink_));
-    Paint::set(target_, Ink::background);
-    const Rect& window = sink_.window;
-    for (int32_t y = window.y0; y < window.y1; ++y) {
-      sink_.solid(sink_.context, window.x0, y, window.x1 - window.x0);
-    }
+  explicit Canvas(const Strip& strip) noexcept : canvas_(strip) {
+    Paint::set(canvas_, Ink::background);
+    canvas_.fill();
   }
 
   Canvas(const Canvas&) = delete;
@@ -97,15 +90,14 @@ class Canvas {
 
   /// A sink for this ink, valid until the next call.
   const Sink& sink(Ink ink) noexcept {
-    Paint::set(target_, ink);
-    return sink_;
+    Paint::set(canvas_, ink);
+    return canvas_;
   }
 
  private:
   using Paint = detail::Paint<kFormat>;
 
-  Paint::Target target_;
-  Sink sink_;
+  Paint::Canvas canvas_;
 };
 
 }  // namespace INKCELL_DEMO_NAME

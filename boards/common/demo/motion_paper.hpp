@@ -14,25 +14,21 @@ inline namespace INKCELL_DEMO_NAME {
 /// A strip to draw a scene on.
 class MotionPaper {
  public:
-  explicit MotionPaper(const Strip& strip) noexcept {
-    target_.strip = strip;
-    // Cannot fail, as the demo made the strip; else nothing is drawn.
-    static_cast<void>(port::make_sink(target_, sink_));
-  }
+  explicit MotionPaper(const Strip& strip) noexcept : canvas_(strip) {}
   MotionPaper(const MotionPaper&) = delete;
   MotionPaper& operator=(const MotionPaper&) = delete;
 
   scenes::Paper paper() noexcept {
-    return {sink_.window, this, [](void* context, uint32_t rgb) -> const Sink& {
+    return {canvas_.window, this,
+            [](void* context, uint32_t rgb) -> const Sink& {
               MotionPaper& self = *static_cast<MotionPaper*>(context);
-              scenes::set_ink(self.target_, rgb);
-              return self.sink_;
+              scenes::set_ink(self.canvas_, rgb);
+              return self.canvas_;
             }};
   }
 
  private:
-  detail::Paint<kFormat>::Target target_;
-  Sink sink_;
+  detail::Paint<kFormat>::Canvas canvas_;
 };
 
 }  // namespace INKCELL_DEMO_NAME

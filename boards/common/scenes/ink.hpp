@@ -28,31 +28,31 @@ constexpr bool is_light(uint32_t rgb) noexcept {
 }
 
 /// Sets the colour 0xRRGGBB.
-inline void set_ink(port::MonoRowsTarget& target, uint32_t rgb) noexcept {
-  target.level = is_light(rgb) ? 1 : 0;
+inline void set_ink(port::MonoRowsCanvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_level(is_light(rgb) ? 1 : 0);
 }
-inline void set_ink(port::MonoPagesTarget& target, uint32_t rgb) noexcept {
-  target.level = is_light(rgb) ? 1 : 0;
+inline void set_ink(port::MonoPagesCanvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_level(is_light(rgb) ? 1 : 0);
 }
-inline void set_ink(port::Grey2Target& target, uint32_t rgb) noexcept {
-  target.level = static_cast<uint8_t>(lightness(rgb) >> 6);
+inline void set_ink(port::Grey2Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_level(static_cast<uint8_t>(lightness(rgb) >> 6));
 }
-inline void set_ink(port::Grey4Target& target, uint32_t rgb) noexcept {
-  target.level = static_cast<uint8_t>(lightness(rgb) >> 4);
+inline void set_ink(port::Grey4Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_level(static_cast<uint8_t>(lightness(rgb) >> 4));
 }
-inline void set_ink(port::Grey8Target& target, uint32_t rgb) noexcept {
-  target.level = lightness(rgb);
+inline void set_ink(port::Grey8Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_level(lightness(rgb));
 }
-inline void set_ink(port::Rgb565Target& target, uint32_t rgb) noexcept {
-  target.colour =
-      port::rgb565(static_cast<uint8_t>(rgb >> 16),
-                   static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb));
+inline void set_ink(port::Rgb565Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_colour(port::rgb565(static_cast<uint8_t>(rgb >> 16),
+                                 static_cast<uint8_t>(rgb >> 8),
+                                 static_cast<uint8_t>(rgb)));
 }
-inline void set_ink(port::Rgb888Target& target, uint32_t rgb) noexcept {
-  target.colour = rgb;
+inline void set_ink(port::Rgb888Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_colour(rgb);
 }
-inline void set_ink(port::Xrgb8888Target& target, uint32_t rgb) noexcept {
-  target.colour = 0xff000000 | rgb;
+inline void set_ink(port::Xrgb8888Canvas& canvas, uint32_t rgb) noexcept {
+  canvas.set_colour(0xff000000 | rgb);
 }
 
 }  // namespace scenes

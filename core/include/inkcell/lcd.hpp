@@ -2,7 +2,7 @@
 //
 //   constexpr Lcd kLcd(SubPixels::rgb);
 //   style.set_effect(kLcd);
-//   port::make_lcd_sink(target, sink);
+//   port::set_sub_pixels(canvas);
 //
 // Each stripe is a third of a pixel wide and has its own coverage: fields take
 // it from the distance at the stripe's centre, outlines exactly. Each channel

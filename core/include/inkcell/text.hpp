@@ -85,6 +85,9 @@ class TextCursor {
   /// zero width characters and variation selectors never give a glyph.
   bool next(PositionedGlyph& out) noexcept;
 
+  /// Whether advances are whole pixels, by fitting.
+  bool is_in_whole_px() const noexcept { return style_ != nullptr; }
+
   /// Where the next glyph would stand without kerning. [font units, at most
   /// 2^24 in magnitude]
   int32_t advance() const noexcept;

@@ -78,7 +78,9 @@ void Painter::text(const Font& font,
                    Text text) const noexcept {
   const UnitScale scale(font, style);
   TextCursor cursor(font, text, style);
-  origin = run_origin(style, origin);
+  if (cursor.is_in_whole_px()) {
+    origin.x = detail::whole_px(origin.x);
+  }
   GlyphRun run = {*this, &font, &style};
   PositionedGlyph at;
   Placed placed;

@@ -63,14 +63,17 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
   return out.set(place(scale, style, origin, at));
 }
 
+// The nearest whole pixel. Far away it may wrap, but not to where it would be
+// seen.
+inline Q26_6 whole_px(Q26_6 x) noexcept {
+  const uint32_t sum = static_cast<uint32_t>(x.raw) + 32;
+  return Q26_6::from_raw(static_cast<int32_t>(sum & ~uint32_t{63}));
+}
+
 // Where a run begins: whole-pixel advances count from a whole pixel.
 inline Point run_origin(const Style& style, Point origin) noexcept {
-  if (style.has_whole_advances()) {
-    // Far away it may wrap, but not to where it would be seen.
-    const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
-    origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
-  }
-  return origin;
+  return style.has_whole_advances() ? Point{whole_px(origin.x), origin.y}
+                                    : origin;
 }
 
 }  // namespace detail

@@ -19,11 +19,10 @@ inkcell::Status draw_clock(const char* text) {
   strip.width = kWidth;
   strip.height = kHeight;
   strip.stride = 2 * kWidth;
-  inkcell::port::Rgb565Target target = {strip};
-  inkcell::Sink sink;
-  INKCELL_TRY(inkcell::port::make_sink(target, sink));
-  inkcell::Painter(sink).text(font, kStyle, {4, 25}, text);
-  return inkcell::Status::ok;
+  inkcell::port::Rgb565Canvas canvas(strip, 0xffff, 0x0000);  // white on black
+  inkcell::Painter painter(canvas);
+  painter.text(font, kStyle, {4, 25}, text);
+  return canvas.status();
 }
 
 void setup() {

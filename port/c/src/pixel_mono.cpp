@@ -2,7 +2,6 @@
 #include "targets.hpp"
 
 using namespace inkcell;
-using c::cpp;
 
 INKCELL_SAME_PLACE(inkcell_mono_rows_target_t, strip, strip);
 INKCELL_SAME_PLACE(inkcell_mono_rows_target_t, threshold, threshold);
@@ -14,12 +13,10 @@ INKCELL_SAME_PLACE(inkcell_mono_pages_target_t, level, level);
 
 inkcell_status_t inkcell_mono_rows_sink(inkcell_mono_rows_target_t* target,
                                         inkcell_sink_t* out) {
-  *cpp(out) = Sink();
-  return c::code(port::make_sink(*cpp(target), *cpp(out)));
+  return c::make_mono_sink(target, out);
 }
 
 inkcell_status_t inkcell_mono_pages_sink(inkcell_mono_pages_target_t* target,
                                          inkcell_sink_t* out) {
-  *cpp(out) = Sink();
-  return c::code(port::make_sink(*cpp(target), *cpp(out)));
+  return c::make_mono_sink(target, out);
 }

@@ -2,7 +2,6 @@
 #include "targets.hpp"
 
 using namespace inkcell;
-using c::cpp;
 
 INKCELL_SAME_PLACE(inkcell_rgb565_target_t, strip, strip);
 INKCELL_SAME_PLACE(inkcell_rgb565_target_t, colour, colour);
@@ -28,18 +27,15 @@ INKCELL_SAME_VALUE(INKCELL_XRGB8888, port::PixelFormat::xrgb8888);
 
 inkcell_status_t inkcell_rgb565_sink(inkcell_rgb565_target_t* target,
                                      inkcell_sink_t* out) {
-  *cpp(out) = Sink();
-  return c::code(port::make_sink(*cpp(target), *cpp(out)));
+  return c::make_sink(target, out);
 }
 
 inkcell_status_t inkcell_rgb888_sink(inkcell_rgb888_target_t* target,
                                      inkcell_sink_t* out) {
-  *cpp(out) = Sink();
-  return c::code(port::make_sink(*cpp(target), *cpp(out)));
+  return c::make_sink(target, out);
 }
 
 inkcell_status_t inkcell_xrgb8888_sink(inkcell_xrgb8888_target_t* target,
                                        inkcell_sink_t* out) {
-  *cpp(out) = Sink();
-  return c::code(port::make_sink(*cpp(target), *cpp(out)));
+  return c::make_sink(target, out);
 }

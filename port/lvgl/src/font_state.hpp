@@ -17,27 +17,26 @@
 namespace inkcell {
 namespace port {
 
-/// Memory for the target of one sink.
-union LcdTarget {
-  Rgb565Target rgb565;
-  Rgb888Target rgb888;
-  Xrgb8888Target xrgb8888;
+/// Memory for one canvas.
+union LcdCanvas {
+  Rgb565Canvas rgb565;
+  Rgb888Canvas rgb888;
+  Xrgb8888Canvas xrgb8888;
 
-  constexpr LcdTarget() noexcept : rgb565() {}
+  LcdCanvas() noexcept : rgb565() {}
 };
 
 /// Set by an optional function, so that the linker can drop unused ones.
-using MakeLcdSink = bool (*)(const lv_layer_t& layer,
-                             lv_color_t colour,
-                             LcdTarget& target,
-                             Sink& sink);
+using OpenLcd = const Sink* (*)(const lv_layer_t& layer,
+                                lv_color_t colour,
+                                LcdCanvas& canvas);
 
 struct FontState {
   Font font;
   Style style{kMinSize, kFilterText};
   Workspace workspace;
   const GlyphCache* cache = nullptr;
-  MakeLcdSink make_lcd_sink = nullptr;  // null: grey
+  OpenLcd open_lcd = nullptr;  // null: grey
   Lcd lcd;
   bool is_direct = false;
 

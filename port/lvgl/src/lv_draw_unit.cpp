@@ -71,7 +71,7 @@ struct Part {
   const lv_draw_glyph_dsc_t& glyph;
   Rect window;
 
-  void draw(Sink& sink) const noexcept {
+  void draw(Sink sink) const noexcept {
     sink.window = window;
     const lv_area_t& box = *glyph.letter_coords;
     const Point origin = {Q26_6::from_int(box.x1 - glyph.g->ofs_x),
@@ -83,12 +83,12 @@ struct Part {
 // Not inline: most fonts do not need its stack.
 __attribute__((noinline)) bool draw_lcd(const lv_layer_t& layer,
                                         const Part& part) {
-  LcdTarget target;
-  Sink sink;
-  if (!part.state.make_lcd_sink(layer, part.glyph.color, target, sink)) {
+  LcdCanvas canvas;
+  const Sink* const sink = part.state.open_lcd(layer, part.glyph.color, canvas);
+  if (sink == nullptr) {
     return false;
   }
-  part.draw(sink);
+  part.draw(*sink);
   return true;
 }
 
@@ -103,7 +103,7 @@ void draw_ours(lv_draw_task_t* task, const lv_draw_glyph_dsc_t& glyph) {
                 intersect(rect_of(task->clip_area), rect_of(layer.buf_area)));
   const Part part = {*state, glyph, window};
   if (is_empty(window) ||
-      (glyph.opa >= LV_OPA_MAX && state->make_lcd_sink != nullptr &&
+      (glyph.opa >= LV_OPA_MAX && state->open_lcd != nullptr &&
        draw_lcd(layer, part))) {
     return;
   }

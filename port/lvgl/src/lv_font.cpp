@@ -102,20 +102,19 @@ const void* get_glyph_bitmap(lv_font_glyph_dsc_t* glyph,
   if (buffer == nullptr) {
     return nullptr;
   }
-  A8Target target;
-  Strip& strip = target.strip;
+  Strip strip;
   strip.pixels = {buffer->data, buffer->data_size};
   strip.x0 = glyph->ofs_x;
   strip.y0 = -glyph->ofs_y - glyph->box_h;
   strip.width = glyph->box_w;
   strip.height = glyph->box_h;
   strip.stride = static_cast<int32_t>(buffer->header.stride);
-  Sink sink;
-  if (make_sink(target, sink) != Status::ok) {
+  const A8Canvas canvas(strip);
+  if (canvas.status() != Status::ok) {
     return nullptr;
   }
   lv_memzero(buffer->data, static_cast<size_t>(strip.stride) * glyph->box_h);
-  state.draw(static_cast<uint16_t>(glyph->gid.index), {}, sink);
+  state.draw(static_cast<uint16_t>(glyph->gid.index), {}, canvas);
   lv_draw_buf_flush_cache(buffer, nullptr);
   return buffer;
 }

@@ -33,10 +33,16 @@ lv_result_t set_fit(inkcell_lv_font_t& font,
   return LV_RESULT_OK;
 }
 
-bool make_lcd(const lv_layer_t& layer,
-              lv_color_t colour,
-              LcdTarget& target,
-              Sink& sink) {
+// Null: the strip is not one of the layer's format.
+template <typename AnyCanvas>
+const Sink* with_sub_pixels(AnyCanvas& canvas) {
+  set_sub_pixels(canvas);
+  return canvas.status() == Status::ok ? &canvas : nullptr;
+}
+
+const Sink* open_lcd(const lv_layer_t& layer,
+                     lv_color_t colour,
+                     LcdCanvas& canvas) {
   Strip strip;
   strip.pixels = {layer.draw_buf->data, layer.draw_buf->data_size};
   strip.x0 = layer.buf_area.x1;
@@ -48,17 +54,17 @@ bool make_lcd(const lv_layer_t& layer,
       uint32_t{colour.red} << 16 | uint32_t{colour.green} << 8 | colour.blue;
   switch (layer.color_format) {
     case LV_COLOR_FORMAT_RGB565:
-      target.rgb565 = {strip, rgb565(colour.red, colour.green, colour.blue),
-                       ByteOrder::low_first};
-      return make_lcd_sink(target.rgb565, sink) == Status::ok;
+      canvas.rgb565 =
+          Rgb565Canvas(strip, rgb565(colour.red, colour.green, colour.blue));
+      return with_sub_pixels(canvas.rgb565);
     case LV_COLOR_FORMAT_RGB888:
-      target.rgb888 = {strip, rgb, ChannelOrder::blue_first};
-      return make_lcd_sink(target.rgb888, sink) == Status::ok;
+      canvas.rgb888 = Rgb888Canvas(strip, rgb, ChannelOrder::blue_first);
+      return with_sub_pixels(canvas.rgb888);
     case LV_COLOR_FORMAT_XRGB8888:
-      target.xrgb8888 = {strip, 0xff000000u | rgb};
-      return make_lcd_sink(target.xrgb8888, sink) == Status::ok;
+      canvas.xrgb8888 = Xrgb8888Canvas(strip, 0xff000000u | rgb);
+      return with_sub_pixels(canvas.xrgb8888);
     default:
-      return false;
+      return nullptr;
   }
 }
 
@@ -76,7 +82,7 @@ void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
                 "the same order");
   state.lcd.order = static_cast<SubPixels>(order);
   state.style.set_effect(state.lcd);
-  state.make_lcd_sink = port::make_lcd;
+  state.open_lcd = port::open_lcd;
 }
 
 lv_result_t inkcell_lv_font_fit_heights(inkcell_lv_font_t* font,

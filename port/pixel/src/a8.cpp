@@ -1,4 +1,4 @@
-// The sink for 8-bit coverage.
+// The canvas of 8-bit coverage.
 #include "inkcell/port/a8.hpp"
 
 #include "inkcell/ramp.hpp"
@@ -51,7 +51,7 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const Strip& strip = static_cast<const A8Target*>(context)->strip;
+  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
   Run run{x, y, count, 0};
   if (!detail::clip(strip, run)) {
     return;
@@ -123,7 +123,7 @@ inline void put_words(uint8_t* pixel,
 }
 
 void block(void* context, const CoverageBlock& given) noexcept {
-  const Strip& strip = static_cast<const A8Target*>(context)->strip;
+  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
   CoverageBlock block = given;
   if (!detail::clip(strip, block)) {
     return;
@@ -222,7 +222,7 @@ constexpr bool kHasRamp = detail::kLittleEndian;
 #endif
 
 bool ramp(void* context, const CoverageBlock& block) noexcept {
-  const Strip& strip = static_cast<const A8Target*>(context)->strip;
+  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
   const Rect& pixels = block.pixels;
   const int32_t first = pixels.x0 & ~3;
   const int32_t last = (pixels.x1 - 1) & ~3;
@@ -254,7 +254,7 @@ bool ramp(void* context, const CoverageBlock& block) noexcept {
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const Strip& strip = static_cast<const A8Target*>(context)->strip;
+  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
   Run run{x, y, count, 0};
   if (detail::clip(strip, run)) {
     __builtin_memset(detail::row_at(strip, run.y) + run.x, 255,
@@ -264,16 +264,9 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 
 }  // namespace
 
-Status make_sink(A8Target& target, Sink& out) noexcept {
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::a8)};
-  INKCELL_TRY(detail::open_sink(target.strip, kKind, &target, out));
-  out.block = block;
-  if (kHasRamp) {
-    out.ramp = ramp;
-  }
-  return Status::ok;
-}
+const detail::SinkKind detail::A8Pixels::kKind = {coverage, solid, block,
+                                                  kHasRamp ? ramp : nullptr,
+                                                  layout_of(PixelFormat::a8)};
 
 }  // namespace port
 }  // namespace inkcell

@@ -1,4 +1,4 @@
-// The sinks with ordered dither.
+// Ordered dither.
 #include "inkcell/port/dither.hpp"
 
 #include "packed.hpp"
@@ -24,55 +24,59 @@ struct Bit {
   uint32_t mask;
 };
 
-Bit bit_of(const MonoRowsTarget& target, int32_t x, int32_t y) noexcept {
+Bit bit_of(const detail::MonoRowsPixels& pixels,
+           int32_t x,
+           int32_t y) noexcept {
   const auto column = static_cast<uint32_t>(x);
-  return {detail::row_at(target.strip, y)[column >> 3],
-          1u << detail::packed_shift(column, 0, target.order)};
+  return {detail::row_at(pixels.strip, y)[column >> 3],
+          1u << detail::packed_shift(column, 0, pixels.order)};
 }
 
-Bit bit_of(const MonoPagesTarget& target, int32_t x, int32_t y) noexcept {
-  return {detail::row_at(target.strip, y >> 3)[x], 1u << (y & 7)};
+Bit bit_of(const detail::MonoPagesPixels& pixels,
+           int32_t x,
+           int32_t y) noexcept {
+  return {detail::row_at(pixels.strip, y >> 3)[x], 1u << (y & 7)};
 }
 
-template <typename Target>
+template <typename Pixels>
 void mono(void* context,
           int32_t x,
           int32_t y,
           const uint8_t* coverage,
           int32_t count) noexcept {
-  const auto& target = *static_cast<const Target*>(context);
+  const auto& pixels = *static_cast<const Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  const Strip& strip = target.strip;
+  const Strip& strip = pixels.strip;
   for (int32_t i = 0; i < run.count; ++i) {
     const int32_t c = coverage[i];
     // The threshold moves all steps but those of 0 and 255.
     const int32_t needed =
-        step_at(strip.x0 + run.x + i, strip.y0 + run.y) + target.threshold;
+        step_at(strip.x0 + run.x + i, strip.y0 + run.y) + pixels.threshold;
     if (c == 255 || (c != 0 && c + 128 >= needed)) {
-      const Bit bit = bit_of(target, run.x + i, run.y);
-      bit.byte = static_cast<uint8_t>(target.level != 0 ? bit.byte | bit.mask
+      const Bit bit = bit_of(pixels, run.x + i, run.y);
+      bit.byte = static_cast<uint8_t>(pixels.level != 0 ? bit.byte | bit.mask
                                                         : bit.byte & ~bit.mask);
     }
   }
 }
 
-template <typename Target, uint32_t kBitsLog2>
+template <typename Pixels, uint32_t kBitsLog2>
 void grey(void* context,
           int32_t x,
           int32_t y,
           const uint8_t* coverage,
           int32_t count) noexcept {
-  const auto& target = *static_cast<const Target*>(context);
+  const auto& pixels = *static_cast<const Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  const Strip& strip = target.strip;
+  const Strip& strip = pixels.strip;
   uint8_t* const row = detail::row_at(strip, run.y);
   constexpr uint32_t kMask = (1u << (1u << kBitsLog2)) - 1;
   for (int32_t i = 0; i < run.count; ++i) {
@@ -80,14 +84,14 @@ void grey(void* context,
     if (c != 0) {
       const auto column = static_cast<uint32_t>(run.x + i);
       const uint32_t shift =
-          detail::packed_shift(column, kBitsLog2, target.order);
+          detail::packed_shift(column, kBitsLog2, pixels.order);
       uint8_t& byte = row[column >> (3 - kBitsLog2)];
       const uint32_t old = static_cast<uint32_t>(byte) >> shift & kMask;
       // As blend(), but rounded by the pixel's step.
       const auto step = static_cast<uint32_t>(
           step_at(strip.x0 + run.x + i, strip.y0 + run.y));
       const uint32_t mixed =
-          (c * target.level + (255 - c) * old + 255 - step) / 255;
+          (c * pixels.level + (255 - c) * old + 255 - step) / 255;
       byte = static_cast<uint8_t>(byte ^ ((old ^ mixed) & kMask) << shift);
     }
   }
@@ -95,29 +99,24 @@ void grey(void* context,
 
 }  // namespace
 
-Status make_dithered_sink(MonoRowsTarget& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage = mono<MonoRowsTarget>;
-  return Status::ok;
+namespace detail {
+
+void set_dither(const MonoRowsPixels&, Sink& sink) noexcept {
+  sink.coverage = mono<MonoRowsPixels>;
 }
 
-Status make_dithered_sink(MonoPagesTarget& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage = mono<MonoPagesTarget>;
-  return Status::ok;
+void set_dither(const MonoPagesPixels&, Sink& sink) noexcept {
+  sink.coverage = mono<MonoPagesPixels>;
 }
 
-Status make_dithered_sink(Grey2Target& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage = grey<Grey2Target, 1>;
-  return Status::ok;
+void set_dither(const Grey2Pixels&, Sink& sink) noexcept {
+  sink.coverage = grey<Grey2Pixels, 1>;
 }
 
-Status make_dithered_sink(Grey4Target& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage = grey<Grey4Target, 2>;
-  return Status::ok;
+void set_dither(const Grey4Pixels&, Sink& sink) noexcept {
+  sink.coverage = grey<Grey4Pixels, 2>;
 }
 
+}  // namespace detail
 }  // namespace port
 }  // namespace inkcell

@@ -1,15 +1,15 @@
-// The sink for 2-bit grey.
+// The canvas of 2-bit grey.
 #include "inkcell/port/grey2.hpp"
 
 #include "packed_grey.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
 
-Status make_sink(Grey2Target& target, Sink& out) noexcept {
-  return detail::PackedGrey<Grey2Target, PixelFormat::grey2, 1>::open(target,
-                                                                      out);
-}
+const SinkKind Grey2Pixels::kKind =
+    kPackedGrey<Grey2Pixels, PixelFormat::grey2, 1>;
 
+}  // namespace detail
 }  // namespace port
 }  // namespace inkcell

@@ -1,15 +1,15 @@
-// The sink for 4-bit grey.
+// The canvas of 4-bit grey.
 #include "inkcell/port/grey4.hpp"
 
 #include "packed_grey.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
 
-Status make_sink(Grey4Target& target, Sink& out) noexcept {
-  return detail::PackedGrey<Grey4Target, PixelFormat::grey4, 2>::open(target,
-                                                                      out);
-}
+const SinkKind Grey4Pixels::kKind =
+    kPackedGrey<Grey4Pixels, PixelFormat::grey4, 2>;
 
+}  // namespace detail
 }  // namespace port
 }  // namespace inkcell

@@ -1,4 +1,4 @@
-// The sinks for LCD sub-pixels.
+// Coverage of LCD sub-pixels.
 #include "inkcell/port/lcd.hpp"
 
 #include "run.hpp"
@@ -14,17 +14,17 @@ void coverage_565(void* context,
                   int32_t y,
                   const uint8_t* coverage,
                   int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb565Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += 3 * run.skipped;
-  const uint32_t red = target.colour >> 11;
-  const uint32_t green = target.colour >> 5 & 0x3f;
-  const uint32_t blue = target.colour & 0x1f;
-  const int low = target.order == ByteOrder::low_first ? 0 : 1;
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
+  const uint32_t red = pixels.colour >> 11;
+  const uint32_t green = pixels.colour >> 5 & 0x3f;
+  const uint32_t blue = pixels.colour & 0x1f;
+  const int low = pixels.order == ByteOrder::low_first ? 0 : 1;
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   for (uint8_t* const end = pixel + 2 * run.count; pixel != end; pixel += 2) {
     const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])
                                           << 8;
@@ -72,9 +72,9 @@ void coverage_888(void* context,
                   int32_t y,
                   const uint8_t* coverage,
                   int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb888Target*>(context);
-  blend_bytes<3>(target.strip, target.colour,
-                 target.order == ChannelOrder::red_first, {x, y, count, 0},
+  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
+  blend_bytes<3>(pixels.strip, pixels.colour,
+                 pixels.order == ChannelOrder::red_first, {x, y, count, 0},
                  coverage);
 }
 
@@ -83,30 +83,27 @@ void coverage_8888(void* context,
                    int32_t y,
                    const uint8_t* coverage,
                    int32_t count) noexcept {
-  const auto& target = *static_cast<const Xrgb8888Target*>(context);
-  blend_bytes<4>(target.strip, target.colour, false, {x, y, count, 0},
+  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
+  blend_bytes<4>(pixels.strip, pixels.colour, false, {x, y, count, 0},
                  coverage);
 }
 
 }  // namespace
 
-Status make_lcd_sink(Rgb565Target& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage_rgb = coverage_565;
-  return Status::ok;
+namespace detail {
+
+void set_sub_pixels(const Rgb565Pixels&, Sink& sink) noexcept {
+  sink.coverage_rgb = coverage_565;
 }
 
-Status make_lcd_sink(Rgb888Target& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage_rgb = coverage_888;
-  return Status::ok;
+void set_sub_pixels(const Rgb888Pixels&, Sink& sink) noexcept {
+  sink.coverage_rgb = coverage_888;
 }
 
-Status make_lcd_sink(Xrgb8888Target& target, Sink& out) noexcept {
-  INKCELL_TRY(make_sink(target, out));
-  out.coverage_rgb = coverage_8888;
-  return Status::ok;
+void set_sub_pixels(const Xrgb8888Pixels&, Sink& sink) noexcept {
+  sink.coverage_rgb = coverage_8888;
 }
 
+}  // namespace detail
 }  // namespace port
 }  // namespace inkcell

@@ -21,8 +21,9 @@ uint32_t row_bit(const Run& run) noexcept {
 }
 
 // The new value of the row's bit where a pixel is drawn.
-uint32_t drawn_bit(const MonoPagesTarget& target, uint32_t bit) noexcept {
-  return target.level != 0 ? bit : 0;
+uint32_t drawn_bit(const detail::MonoPagesPixels& pixels,
+                   uint32_t bit) noexcept {
+  return pixels.level != 0 ? bit : 0;
 }
 
 void coverage(void* context,
@@ -30,16 +31,16 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const auto& target = *static_cast<const MonoPagesTarget*>(context);
+  const auto& pixels = *static_cast<const detail::MonoPagesPixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  uint8_t* byte = first_byte(target.strip, run);
+  uint8_t* byte = first_byte(pixels.strip, run);
   const uint32_t bit = row_bit(run);
-  const uint32_t drawn = drawn_bit(target, bit);
-  const uint32_t threshold = target.threshold;
+  const uint32_t drawn = drawn_bit(pixels, bit);
+  const uint32_t threshold = pixels.threshold;
   for (uint8_t* const end = byte + run.count; byte != end; ++byte) {
     if (*coverage++ >= threshold) {
       *byte = static_cast<uint8_t>((*byte & ~bit) | drawn);
@@ -48,15 +49,15 @@ void coverage(void* context,
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& target = *static_cast<const MonoPagesTarget*>(context);
+  const auto& pixels = *static_cast<const detail::MonoPagesPixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
-  uint8_t* byte = first_byte(target.strip, run);
+  uint8_t* byte = first_byte(pixels.strip, run);
   uint8_t* const end = byte + run.count;
   const uint32_t bit = row_bit(run);
-  const uint32_t drawn = drawn_bit(target, bit);
+  const uint32_t drawn = drawn_bit(pixels, bit);
   constexpr uint32_t kFour = 0x01010101;
   while (byte != end) {
     if ((reinterpret_cast<uintptr_t>(byte) & 3) == 0) {
@@ -75,14 +76,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 
 }  // namespace
 
-Status make_sink(MonoPagesTarget& target, Sink& out) noexcept {
-  if (target.threshold == 0 || target.level > 1) {
-    return Status::bad_argument;
-  }
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::mono_pages)};
-  return detail::open_sink(target.strip, kKind, &target, out);
-}
+const detail::SinkKind detail::MonoPagesPixels::kKind = {
+    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::mono_pages)};
 
 }  // namespace port
 }  // namespace inkcell

@@ -33,15 +33,15 @@ uint32_t drawn(const uint8_t* coverage,
 void put(uint8_t* row,
          uint32_t x,
          uint32_t bits,
-         const MonoRowsTarget& target) {
+         const detail::MonoRowsPixels& pixels) {
   uint8_t* byte = row + (x >> 3);
-  const uint32_t pattern = target.level != 0 ? 0xff : 0;
+  const uint32_t pattern = pixels.level != 0 ? 0xff : 0;
   const auto merge = [&byte, pattern](uint32_t part) noexcept {
     *byte = static_cast<uint8_t>((*byte & ~part) | (part & pattern));
     ++byte;
   };
   const uint32_t begin = x & 7;
-  if (target.order == BitOrder::high_left) {
+  if (pixels.order == BitOrder::high_left) {
     merge(bits >> (24 + begin));
     for (bits <<= 8 - begin; bits != 0; bits <<= 8) {
       merge(bits >> 24);
@@ -59,46 +59,40 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const auto& target = *static_cast<const MonoRowsTarget*>(context);
+  const auto& pixels = *static_cast<const detail::MonoRowsPixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  uint8_t* const row = detail::row_at(target.strip, run.y);
+  uint8_t* const row = detail::row_at(pixels.strip, run.y);
   auto column = static_cast<uint32_t>(run.x);
   const uint32_t end = column + static_cast<uint32_t>(run.count);
   while (column != end) {
     const uint32_t left = end - column;
     const uint32_t part = left < 32 ? left : 32;
-    put(row, column, drawn(coverage, part, target.threshold, target.order),
-        target);
+    put(row, column, drawn(coverage, part, pixels.threshold, pixels.order),
+        pixels);
     coverage += part;
     column += part;
   }
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& target = *static_cast<const MonoRowsTarget*>(context);
+  const auto& pixels = *static_cast<const detail::MonoRowsPixels*>(context);
   Run run{x, y, count, 0};
-  if (detail::clip(target.strip, run)) {
-    detail::fill_packed(detail::row_at(target.strip, run.y),
+  if (detail::clip(pixels.strip, run)) {
+    detail::fill_packed(detail::row_at(pixels.strip, run.y),
                         static_cast<uint32_t>(run.x),
                         static_cast<uint32_t>(run.count), 0,
-                        target.level != 0 ? 0xff : 0, target.order);
+                        pixels.level != 0 ? 0xff : 0, pixels.order);
   }
 }
 
 }  // namespace
 
-Status make_sink(MonoRowsTarget& target, Sink& out) noexcept {
-  if (target.threshold == 0 || target.level > 1) {
-    return Status::bad_argument;
-  }
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::mono_rows)};
-  return detail::open_sink(target.strip, kKind, &target, out);
-}
+const detail::SinkKind detail::MonoRowsPixels::kKind = {
+    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::mono_rows)};
 
 }  // namespace port
 }  // namespace inkcell

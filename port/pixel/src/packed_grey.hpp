@@ -1,4 +1,5 @@
-// The sinks for grey of 2 and 4 bits, which differ only in the number of bits.
+// The canvases of grey of 2 and 4 bits, which differ only in the number of
+// bits.
 #pragma once
 
 #include <stdint.h>
@@ -9,9 +10,9 @@ namespace inkcell {
 namespace port {
 namespace detail {
 
-/// `Target` has a strip, a level and a bit order; a pixel has 1 << kBitsLog2
+/// `Pixels` has a strip, a level and a bit order; a pixel has 1 << kBitsLog2
 /// bits.
-template <typename Target, PixelFormat kFormat, uint32_t kBitsLog2>
+template <typename Pixels, uint32_t kBitsLog2>
 struct PackedGrey {
   static constexpr uint32_t kMaxLevel = (1u << (1u << kBitsLog2)) - 1;
   static constexpr uint32_t kEveryPixel = 0xff / kMaxLevel;  // level 1 in all
@@ -21,12 +22,12 @@ struct PackedGrey {
                        int32_t y,
                        const uint8_t* coverage,
                        int32_t count) noexcept {
-    const auto& target = *static_cast<const Target*>(context);
+    const auto& pixels = *static_cast<const Pixels*>(context);
     Run run{x, y, count, 0};
-    if (clip(target.strip, run)) {
-      blend_packed(row_at(target.strip, run.y), static_cast<uint32_t>(run.x),
+    if (clip(pixels.strip, run)) {
+      blend_packed(row_at(pixels.strip, run.y), static_cast<uint32_t>(run.x),
                    coverage + run.skipped, static_cast<uint32_t>(run.count),
-                   kBitsLog2, target.level, target.order);
+                   kBitsLog2, pixels.level, pixels.order);
     }
   }
 
@@ -34,24 +35,21 @@ struct PackedGrey {
                     int32_t x,
                     int32_t y,
                     int32_t count) noexcept {
-    const auto& target = *static_cast<const Target*>(context);
+    const auto& pixels = *static_cast<const Pixels*>(context);
     Run run{x, y, count, 0};
-    if (clip(target.strip, run)) {
-      fill_packed(row_at(target.strip, run.y), static_cast<uint32_t>(run.x),
+    if (clip(pixels.strip, run)) {
+      fill_packed(row_at(pixels.strip, run.y), static_cast<uint32_t>(run.x),
                   static_cast<uint32_t>(run.count), kBitsLog2,
-                  static_cast<uint8_t>(target.level * kEveryPixel),
-                  target.order);
+                  static_cast<uint8_t>(pixels.level * kEveryPixel),
+                  pixels.order);
     }
-  }
-
-  static Status open(Target& target, Sink& out) noexcept {
-    if (target.level > kMaxLevel) {
-      return Status::bad_argument;
-    }
-    static constexpr SinkKind kKind = {coverage, solid, layout_of(kFormat)};
-    return open_sink(target.strip, kKind, &target, out);
   }
 };
+
+template <typename Pixels, PixelFormat kFormat, uint32_t kBitsLog2>
+inline constexpr SinkKind kPackedGrey = {
+    PackedGrey<Pixels, kBitsLog2>::coverage,
+    PackedGrey<Pixels, kBitsLog2>::solid, nullptr, nullptr, layout_of(kFormat)};
 
 }  // namespace detail
 }  // namespace port

@@ -97,9 +97,9 @@ void blend_bytes(uint8_t* pixel,
 }
 
 // Whether pixels are half-words in the byte order of the core.
-inline bool are_halves(const Rgb565Target& target,
+inline bool are_halves(const detail::Rgb565Pixels& pixels,
                        const uint8_t* pixel) noexcept {
-  return detail::kLittleEndian && target.order == ByteOrder::low_first &&
+  return detail::kLittleEndian && pixels.order == ByteOrder::low_first &&
          (reinterpret_cast<uintptr_t>(pixel) & 1) == 0;
 }
 
@@ -134,20 +134,20 @@ void blend_words(uint8_t* pixel,
 }
 
 void block(void* context, const CoverageBlock& given) noexcept {
-  const auto& target = *static_cast<const Rgb565Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
   CoverageBlock block = given;
-  if (!detail::clip(target.strip, block)) {
+  if (!detail::clip(pixels.strip, block)) {
     return;
   }
-  const uint32_t colour = spread(target.colour);
+  const uint32_t colour = spread(pixels.colour);
   const int32_t count = block.pixels.x1 - block.pixels.x0;
   for (int32_t y = block.pixels.y0; y != block.pixels.y1; ++y) {
-    uint8_t* const pixel = detail::row_at(target.strip, y - target.strip.y0) +
-                           2 * (block.pixels.x0 - target.strip.x0);
-    if (are_halves(target, pixel)) {
+    uint8_t* const pixel = detail::row_at(pixels.strip, y - pixels.strip.y0) +
+                           2 * (block.pixels.x0 - pixels.strip.x0);
+    if (are_halves(pixels, pixel)) {
       blend_words(pixel, block.coverage, count, colour);
     } else {
-      blend_bytes(pixel, block.coverage, count, colour, target.order);
+      blend_bytes(pixel, block.coverage, count, colour, pixels.order);
     }
     block.coverage += block.stride;
   }
@@ -158,18 +158,18 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb565Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  const uint32_t colour = spread(target.colour);
-  uint8_t* const pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
-  if (are_halves(target, pixel)) {
+  const uint32_t colour = spread(pixels.colour);
+  uint8_t* const pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
+  if (are_halves(pixels, pixel)) {
     blend_halves(pixel, coverage, run.count, colour);
   } else {
-    blend_bytes(pixel, coverage, run.count, colour, target.order);
+    blend_bytes(pixel, coverage, run.count, colour, pixels.order);
   }
 }
 
@@ -202,27 +202,22 @@ void fill(uint8_t* pixel, uint8_t* end, uint16_t colour) noexcept {
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb565Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   fill(pixel, pixel + 2 * run.count,
-       target.order == ByteOrder::low_first
-           ? target.colour
-           : static_cast<uint16_t>(target.colour << 8 | target.colour >> 8));
+       pixels.order == ByteOrder::low_first
+           ? pixels.colour
+           : static_cast<uint16_t>(pixels.colour << 8 | pixels.colour >> 8));
 }
 
 }  // namespace
 
-Status make_sink(Rgb565Target& target, Sink& out) noexcept {
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::rgb565)};
-  INKCELL_TRY(detail::open_sink(target.strip, kKind, &target, out));
-  out.block = block;
-  return Status::ok;
-}
+const detail::SinkKind detail::Rgb565Pixels::kKind = {
+    coverage, solid, block, nullptr, layout_of(PixelFormat::rgb565)};
 
 }  // namespace port
 }  // namespace inkcell

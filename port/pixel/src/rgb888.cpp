@@ -15,11 +15,11 @@ struct Bytes {
   uint8_t byte[3];
 };
 
-Bytes bytes_of(const Rgb888Target& target) noexcept {
-  const auto red = static_cast<uint8_t>(target.colour >> 16);
-  const auto green = static_cast<uint8_t>(target.colour >> 8);
-  const auto blue = static_cast<uint8_t>(target.colour);
-  if (target.order == ChannelOrder::red_first) {
+Bytes bytes_of(const detail::Rgb888Pixels& pixels) noexcept {
+  const auto red = static_cast<uint8_t>(pixels.colour >> 16);
+  const auto green = static_cast<uint8_t>(pixels.colour >> 8);
+  const auto blue = static_cast<uint8_t>(pixels.colour);
+  if (pixels.order == ChannelOrder::red_first) {
     return {{red, green, blue}};
   }
   return {{blue, green, red}};
@@ -30,14 +30,14 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb888Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  const Bytes colour = bytes_of(target);
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 3 * run.x;
+  const Bytes colour = bytes_of(pixels);
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 3 * run.x;
   for (uint8_t* const end = pixel + 3 * run.count; pixel != end; pixel += 3) {
     const uint32_t c = *coverage++;
     if (c != 0) {
@@ -49,13 +49,13 @@ void coverage(void* context,
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& target = *static_cast<const Rgb888Target*>(context);
+  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
-  const Bytes colour = bytes_of(target);
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 3 * run.x;
+  const Bytes colour = bytes_of(pixels);
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 3 * run.x;
   for (uint8_t* const end = pixel + 3 * run.count; pixel != end; pixel += 3) {
     pixel[0] = colour.byte[0];
     pixel[1] = colour.byte[1];
@@ -65,11 +65,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 
 }  // namespace
 
-Status make_sink(Rgb888Target& target, Sink& out) noexcept {
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::rgb888)};
-  return detail::open_sink(target.strip, kKind, &target, out);
-}
+const detail::SinkKind detail::Rgb888Pixels::kKind = {
+    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::rgb888)};
 
 }  // namespace port
 }  // namespace inkcell

@@ -25,6 +25,11 @@ Status check_layout(const Strip& strip, Layout layout) noexcept {
     return Status::bad_argument;
   }
   const auto stride = static_cast<uint32_t>(strip.stride);
+  // Pixels of 32 bits are read and written as words.
+  const auto address = reinterpret_cast<uintptr_t>(strip.pixels.data);
+  if (layout.bits == 32 && ((address | stride) & 3) != 0) {
+    return Status::misaligned;
+  }
   const uint32_t row_bytes =
       (static_cast<uint32_t>(strip.width) * layout.bits + 7) / 8;
   if (stride < row_bytes || stride > kMaxStride) {
@@ -39,19 +44,40 @@ Status check_layout(const Strip& strip, Layout layout) noexcept {
              : Status::ok;
 }
 
-Status open_sink(const Strip& strip,
+Status open_sink(Strip& strip,
                  const SinkKind& kind,
-                 void* context,
+                 void* pixels,
                  Sink& out) noexcept {
-  INKCELL_TRY(check_layout(strip, kind.layout));
+  Status status = Status::ok;
+  for (;;) {
+    const Status now = check_layout(strip, kind.layout);
+    if (now == Status::ok) {
+      break;
+    }
+    status = now;
+    if (now == Status::buffer_small) {
+      --strip.height;
+    } else {
+      strip = {};
+    }
+  }
   out.window = strip.rect();
-  out.context = context;
+  out.context = pixels;
   out.coverage = kind.coverage;
   out.solid = kind.solid;
-  out.block = nullptr;
-  out.ramp = nullptr;
-  out.coverage_rgb = nullptr;
-  return Status::ok;
+  out.block = kind.block;
+  out.ramp = kind.ramp;
+  return status;
+}
+
+void fill(const Sink& sink) noexcept {
+  const Rect& window = sink.window;
+  if (is_empty(window)) {
+    return;
+  }
+  for (int32_t y = window.y0; y < window.y1; ++y) {
+    sink.solid(sink.context, window.x0, y, window.x1 - window.x0);
+  }
 }
 
 }  // namespace detail

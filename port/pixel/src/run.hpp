@@ -1,11 +1,11 @@
-// Shared by all sinks: checks a strip, and clips a run to it.
+// Shared by all sinks: clips a run to its strip.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
@@ -58,33 +58,11 @@ inline bool clip(const Strip& strip, CoverageBlock& block) noexcept {
   return !is_empty(pixels);
 }
 
-/// The memory layout of a format.
-struct Layout {
-  uint8_t bits;       // of a pixel along the row
-  uint8_t rows_log2;  // rows of pixels in a stride
-};
-
 constexpr Layout layout_of(PixelFormat format) noexcept {
   return rows_per_stride(format) == 1
              ? Layout{static_cast<uint8_t>(bits_per_pixel(format)), 0}
              : Layout{8, 3};
 }
-
-/// check_strip().
-Status check_layout(const Strip& strip, Layout layout) noexcept;
-
-/// The functions and the layout of a sink for one format.
-struct SinkKind {
-  decltype(Sink::coverage) coverage;
-  decltype(Sink::solid) solid;
-  Layout layout;
-};
-
-/// Makes the sink of `strip`, if check_strip() returns ok.
-Status open_sink(const Strip& strip,
-                 const SinkKind& kind,
-                 void* context,
-                 Sink& out) noexcept;
 
 /// The first byte of row (or page) `y` of the strip.
 inline uint8_t* row_at(const Strip& strip, int32_t y) noexcept {

@@ -13,9 +13,9 @@ using detail::Run;
 
 // The colour in the byte order of load_word(): the blend below treats all four
 // bytes alike.
-uint32_t colour_word(const Xrgb8888Target& target) noexcept {
-  return detail::word_of(target.colour & 0xff, target.colour >> 8 & 0xff,
-                         target.colour >> 16 & 0xff, target.colour >> 24);
+uint32_t colour_word(const detail::Xrgb8888Pixels& pixels) noexcept {
+  return detail::word_of(pixels.colour & 0xff, pixels.colour >> 8 & 0xff,
+                         pixels.colour >> 16 & 0xff, pixels.colour >> 24);
 }
 
 // blend() of the bytes 0 and 2 of a word, each in its half: 255 * 255 + 128 and
@@ -34,14 +34,14 @@ void coverage(void* context,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
-  const auto& target = *static_cast<const Xrgb8888Target*>(context);
+  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
   coverage += run.skipped;
-  const uint32_t colour = colour_word(target);
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 4 * run.x;
+  const uint32_t colour = colour_word(pixels);
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 4 * run.x;
   for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
     const uint32_t c = *coverage++;
     if (c != 0) {
@@ -53,13 +53,13 @@ void coverage(void* context,
 }
 
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& target = *static_cast<const Xrgb8888Target*>(context);
+  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
   Run run{x, y, count, 0};
-  if (!detail::clip(target.strip, run)) {
+  if (!detail::clip(pixels.strip, run)) {
     return;
   }
-  const uint32_t colour = colour_word(target);
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 4 * run.x;
+  const uint32_t colour = colour_word(pixels);
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 4 * run.x;
   for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
     detail::store_word(pixel, colour);
   }
@@ -67,16 +67,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 
 }  // namespace
 
-Status make_sink(Xrgb8888Target& target, Sink& out) noexcept {
-  const Strip& strip = target.strip;
-  const auto address = reinterpret_cast<uintptr_t>(strip.pixels.data);
-  if (((address | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
-    return Status::misaligned;
-  }
-  static constexpr detail::SinkKind kKind = {
-      coverage, solid, detail::layout_of(PixelFormat::xrgb8888)};
-  return detail::open_sink(target.strip, kKind, &target, out);
-}
+const detail::SinkKind detail::Xrgb8888Pixels::kKind = {
+    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::xrgb8888)};
 
 }  // namespace port
 }  // namespace inkcell

@@ -31,10 +31,9 @@ constexpr EdgeContrast kContrast;
 constexpr MotionBlur kBlur({Q26_6::from_int(3), {}});
 Bilevel bilevel;
 
-struct ColourTarget : port::Rgb888Target {};
 constexpr int32_t kColourBytes = 3;
 static_assert(kColourBytes <= bench::kMaxPixelBytes, "strips hold them");
-ColourTarget colour_target;
+port::Rgb888Canvas colour_canvas;
 constexpr size_t kWorkspace = 2560;
 alignas(4) uint8_t workspace[kWorkspace];
 
@@ -42,10 +41,6 @@ alignas(4) uint8_t workspace[kWorkspace];
 Filter filter;
 
 bool is_coloured = false;
-
-Status make_sink(ColourTarget& target, Sink& out) {
-  return port::make_lcd_sink(target, out);
-}
 
 bool set_fit(Style& style, bool across) {
   FitOptions options;
@@ -56,6 +51,7 @@ bool set_fit(Style& style, bool across) {
 
 bool set_lcd(Style& style, SubPixels order) {
   is_coloured = true;
+  port::set_sub_pixels(colour_canvas);
   lcd.order = order;
   style.set_effect(lcd);
   return true;
@@ -197,7 +193,7 @@ void engine_draw(uint32_t code_point) {
   }
   const auto draw_strips = [](const auto& draw) {
     if (is_coloured) {
-      bench::draw_strips(colour_target, kColourBytes, draw);
+      bench::draw_strips(colour_canvas, kColourBytes, draw);
     } else {
       bench::draw_strips(draw);
     }

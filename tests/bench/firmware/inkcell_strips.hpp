@@ -18,7 +18,7 @@ inline constexpr int32_t kMaxPixelBytes = 3;
 alignas(4) inline uint8_t pixels[kEngineSide * kEngineSide * kMaxPixelBytes];
 inline inkcell::Font font;
 inline inkcell::Style style(inkcell::kMinSize, inkcell::kFilterText);
-inline inkcell::port::A8Target target;
+inline inkcell::port::A8Canvas canvas;
 inline inkcell::Sink sink;
 
 // Of the glyph that is drawn next: where it stands, rows, pixels of its ink.
@@ -28,19 +28,18 @@ inline uint32_t box = 0;
 
 // Calls draw() for each strip that the glyph needs, with `sink` set to it. That
 // one is a program's own, and not on the stack that is measured.
-template <typename Target, typename Draw>
-void draw_strips(Target& target, int32_t pixel_bytes, const Draw& draw) {
+template <typename Canvas, typename Draw>
+void draw_strips(Canvas& canvas, int32_t pixel_bytes, const Draw& draw) {
   const int32_t stride = kEngineSide * pixel_bytes;
-  target.strip.width = kEngineSide;
-  target.strip.height = kRows;
-  target.strip.stride = stride;
   for (int32_t y = 0; y < height; y += kRows) {
-    target.strip.y0 = y;
-    target.strip.pixels = {pixels + y * stride,
-                           static_cast<size_t>(kRows * stride)};
-    if (make_sink(target, sink) != inkcell::Status::ok) {
-      return;
-    }
+    canvas.set_strip(
+        {{pixels + y * stride, static_cast<size_t>(kRows * stride)},
+         0,
+         y,
+         kEngineSide,
+         kRows,
+         stride});
+    sink = canvas;
     draw();
   }
 }
@@ -48,7 +47,7 @@ void draw_strips(Target& target, int32_t pixel_bytes, const Draw& draw) {
 // The same into 8-bit coverage.
 template <typename Draw>
 void draw_strips(const Draw& draw) {
-  draw_strips(target, 1, draw);
+  draw_strips(canvas, 1, draw);
 }
 
 // Puts the glyph into the strips' upper left corner, and clears those.

@@ -44,18 +44,17 @@ void make_style() {
 }
 #endif
 
-template <typename Target>
+template <typename Canvas>
 Status draw_into(const Font& font) {
-  Target target;
-  target.strip.pixels = {bytes, sizeof bytes};
-  Sink sink;
-  INKCELL_TRY(make_sink(target, sink));
+  Strip strip;
+  strip.pixels = {bytes, sizeof bytes};
+  const Canvas canvas(strip);
 #if INKCELL_KEEP < 2
-  Painter(sink).glyph(font, style, {}, bytes[0]);
+  Painter(canvas).glyph(font, style, {}, bytes[0]);
 #else
-  Painter(sink).text(font, style, {}, "text");
+  Painter(canvas).text(font, style, {}, "text");
 #endif
-  return Status::ok;
+  return canvas.status();
 }
 
 }  // namespace
@@ -66,18 +65,18 @@ int main(int, char**) {
 #endif
   Font font;
   if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
-      draw_into<port::A8Target>(font) != Status::ok) {
+      draw_into<port::A8Canvas>(font) != Status::ok) {
     return 1;
   }
 #if INKCELL_KEEP >= 4
-  if (draw_into<port::Grey2Target>(font) != Status::ok ||
-      draw_into<port::Grey4Target>(font) != Status::ok ||
-      draw_into<port::Grey8Target>(font) != Status::ok ||
-      draw_into<port::MonoPagesTarget>(font) != Status::ok ||
-      draw_into<port::MonoRowsTarget>(font) != Status::ok ||
-      draw_into<port::Rgb565Target>(font) != Status::ok ||
-      draw_into<port::Rgb888Target>(font) != Status::ok ||
-      draw_into<port::Xrgb8888Target>(font) != Status::ok) {
+  if (draw_into<port::Grey2Canvas>(font) != Status::ok ||
+      draw_into<port::Grey4Canvas>(font) != Status::ok ||
+      draw_into<port::Grey8Canvas>(font) != Status::ok ||
+      draw_into<port::MonoPagesCanvas>(font) != Status::ok ||
+      draw_into<port::MonoRowsCanvas>(font) != Status::ok ||
+      draw_into<port::Rgb565Canvas>(font) != Status::ok ||
+      draw_into<port::Rgb888Canvas>(font) != Status::ok ||
+      draw_into<port::Xrgb8888Canvas>(font) != Status::ok) {
     return 1;
   }
 #endif

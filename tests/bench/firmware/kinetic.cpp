@@ -104,12 +104,9 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
           [&] {
             morph.step(Q16_16::from_raw(part << 12), scratch);
             for (int32_t y = 0; y < box.height; y += kRows) {
-              port::A8Target target = {
-                  {pixels, 0, y, box.width, kRows, box.width}};
-              Sink sink;
-              if (port::make_sink(target, sink) == Status::ok) {
-                morph.draw(0, 0, sink);
-              }
+              morph.draw(
+                  0, 0,
+                  port::A8Canvas({pixels, 0, y, box.width, kRows, box.width}));
             }
           },
           frames, stack);
@@ -172,17 +169,15 @@ bool measure_particles() {
         },
         pulls, stack);
   }
-  port::A8Target target = {{pixels, 0, 0, kSide, kSide, kSide}};
-  target.strip.pixels.size = sizeof pixels;
-  Sink sink;
-  if (port::make_sink(target, sink) != Status::ok) {
+  const port::A8Canvas canvas({pixels, 0, 0, kSide, kSide, kSide});
+  if (canvas.status() != Status::ok) {
     return false;
   }
   for (size_t i = 0; i < 100; ++i) {
     count(
         [&] {
           kinetic::draw_dot(particles[i].x, particles[i].y, Q26_6::from_raw(83),
-                            sink);
+                            canvas);
         },
         dots, stack);
   }
@@ -233,21 +228,19 @@ bool measure_level_set() {
 
 // A strip of RGB565 and its ink.
 struct Sheet {
-  port::Rgb565Target target;
-  Sink sink;
+  port::Rgb565Canvas canvas;
 
   scenes::Paper paper(const Rect& part) {
     const int32_t width = part.x1 - part.x0;
     const int32_t height = part.y1 - part.y0;
-    target.strip = {pixels, part.x0, part.y0, width, height, width * 2};
     // Strips are as large as the pixels at most.
-    static_cast<void>(port::make_sink(target, sink));
+    canvas.set_strip({pixels, part.x0, part.y0, width, height, width * 2});
     return {part, this, [](void* context, uint32_t rgb) -> const Sink& {
               Sheet& sheet = *static_cast<Sheet*>(context);
-              sheet.target.colour = port::rgb565(
+              sheet.canvas.set_colour(port::rgb565(
                   static_cast<uint8_t>(rgb >> 16),
-                  static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb));
-              return sheet.sink;
+                  static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb)));
+              return sheet.canvas;
             }};
   }
 };

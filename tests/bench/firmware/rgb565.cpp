@@ -33,13 +33,8 @@ alignas(4) uint8_t pixels[kWidth * kRows * 2];
 PositionedGlyph glyphs[16];
 alignas(4) uint8_t workspace[2560];  // for outlines
 
-bool make_strip(int32_t y, port::Rgb565Target& target, Sink& sink) {
-  target.strip.pixels = {pixels, sizeof pixels};
-  target.strip.y0 = y;
-  target.strip.width = kWidth;
-  target.strip.height = kRows;
-  target.strip.stride = kWidth * 2;
-  return make_sink(target, sink) == Status::ok;
+Strip strip_at(int32_t y) {
+  return {{pixels, sizeof pixels}, 0, y, kWidth, kRows, kWidth * 2};
 }
 
 bool measure_run(const Font& font, int32_t px) {
@@ -52,11 +47,7 @@ bool measure_run(const Font& font, int32_t px) {
   uint32_t stack = 0;
   uint32_t strips = 0;
   for (int32_t y = 0; y < px + px / 2; y += kRows) {
-    port::Rgb565Target target;
-    Sink sink;
-    if (!make_strip(y, target, sink)) {
-      return false;
-    }
+    const port::Rgb565Canvas sink(strip_at(y));
     const auto work = [&] {
       Painter(sink, {workspace, sizeof workspace})
           .glyphs(font, style, {Q26_6::from_int(4), Q26_6::from_int(px)}, run);
@@ -76,12 +67,7 @@ bool measure_run(const Font& font, int32_t px) {
 }
 
 bool measure_blend() {
-  port::Rgb565Target target;
-  target.colour = port::rgb565(40, 80, 160);
-  Sink sink;
-  if (!make_strip(0, target, sink)) {
-    return false;
-  }
+  const port::Rgb565Canvas sink(strip_at(0), port::rgb565(40, 80, 160));
   uint8_t coverage[kMaxSpan];
   for (int32_t i = 0; i < kMaxSpan; ++i) {
     coverage[i] = static_cast<uint8_t>(1 + 7 * i);

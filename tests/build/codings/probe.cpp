@@ -14,20 +14,16 @@ using namespace inkcell;
 static bool show(Span<const uint8_t> rom) {
   constexpr int32_t kSide = 128;
   std::vector<uint8_t> pixels(kSide * kSide);
-  port::A8Target target;
-  target.strip.pixels = {pixels.data(), pixels.size()};
-  target.strip.width = kSide;
-  target.strip.height = kSide;
-  target.strip.stride = kSide;
-  Sink sink;
+  const port::A8Canvas canvas(
+      {{pixels.data(), pixels.size()}, 0, 0, kSide, kSide, kSide});
   const Style style(24_px, kFilterText);
-  if (make_sink(target, sink) != Status::ok) {
+  if (canvas.status() != Status::ok) {
     return false;
   }
   Font font;
   const Status status = Font::open(rom, PROBE_CODING, font);
-  Painter(sink).text(font, style, {Q26_6::from_int(4), Q26_6::from_int(40)},
-                     "Again");
+  Painter(canvas).text(font, style, {Q26_6::from_int(4), Q26_6::from_int(40)},
+                       "Again");
   int32_t ink = 0;
   for (const uint8_t pixel : pixels) {
     ink += pixel;

@@ -58,10 +58,9 @@ inkcell::Status draw_page(int32_t scroll, Screen& screen) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
   const inkcell::Style style(inkcell::Q26_6::from_int(20));
-  inkcell::port::Rgb565Target target = {screen.strip};
-  inkcell::Sink sink;
-  INKCELL_TRY(inkcell::port::make_sink(target, sink));
-  return page(font, style, inkcell::Q26_6::from_int(scroll), sink);
+  const inkcell::port::Rgb565Canvas canvas(screen.strip);
+  INKCELL_TRY(canvas.status());
+  return page(font, style, inkcell::Q26_6::from_int(scroll), canvas);
 }
 
 // The paragraph has lines and stands still; the label below it moves.

@@ -1,7 +1,7 @@
-// Canvases of Adafruit_GFX: targets in the memory that getBuffer() returns.
+// Canvases of Adafruit_GFX: ours over the memory that getBuffer() returns.
 //
 // A canvas has the size given to its constructor; setRotation() only affects
-// drawing by Adafruit_GFX. `buffer` must outlive the target.
+// drawing by Adafruit_GFX. `buffer` must outlive ours.
 #pragma once
 
 #include <stdint.h>
@@ -14,40 +14,38 @@
 namespace inkcell {
 namespace port {
 
-/// GFXcanvas1: draws 1, or 0 with MonoRowsTarget::level 0.
-constexpr MonoRowsTarget gfx_canvas1(uint8_t* buffer,
-                                     int32_t width,
-                                     int32_t height) noexcept {
-  MonoRowsTarget target;
-  target.strip = whole_picture(buffer, PixelFormat::mono_rows, width, height);
-  target.order = BitOrder::high_left;
-  return target;
-}
-
-/// GFXcanvas8: draws 255, or Grey8Target::level.
-constexpr Grey8Target gfx_canvas8(uint8_t* buffer,
+/// GFXcanvas1: draws 1, or 0 with a level of 0.
+inline MonoRowsCanvas gfx_canvas1(uint8_t* buffer,
                                   int32_t width,
-                                  int32_t height) noexcept {
-  Grey8Target target;
-  target.strip = whole_picture(buffer, PixelFormat::grey8, width, height);
-  return target;
+                                  int32_t height,
+                                  uint8_t level = 1) noexcept {
+  return MonoRowsCanvas(
+      whole_picture(buffer, PixelFormat::mono_rows, width, height), level);
 }
 
-/// GFXcanvas16, in the machine's byte order: draws white, or
-/// Rgb565Target::colour. After byteSwap() set Rgb565Target::order to the other
-/// order.
-inline Rgb565Target gfx_canvas16(uint16_t* buffer,
+/// GFXcanvas8.
+inline Grey8Canvas gfx_canvas8(uint8_t* buffer,
+                               int32_t width,
+                               int32_t height,
+                               uint8_t level = 255) noexcept {
+  return Grey8Canvas(whole_picture(buffer, PixelFormat::grey8, width, height),
+                     level);
+}
+
+/// GFXcanvas16, in the machine's byte order. After byteSwap() call set_order()
+/// with the other one.
+inline Rgb565Canvas gfx_canvas16(uint16_t* buffer,
                                  int32_t width,
-                                 int32_t height) noexcept {
-  Rgb565Target target;
-  target.strip = whole_picture(reinterpret_cast<uint8_t*>(buffer),
-                               PixelFormat::rgb565, width, height);
+                                 int32_t height,
+                                 uint16_t colour = 0xffff) noexcept {
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  target.order = ByteOrder::high_first;
+  constexpr ByteOrder kOrder = ByteOrder::high_first;
 #else
-  target.order = ByteOrder::low_first;
+  constexpr ByteOrder kOrder = ByteOrder::low_first;
 #endif
-  return target;
+  return Rgb565Canvas(whole_picture(reinterpret_cast<uint8_t*>(buffer),
+                                    PixelFormat::rgb565, width, height),
+                      colour, kOrder);
 }
 
 }  // namespace port

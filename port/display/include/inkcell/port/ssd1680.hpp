@@ -33,7 +33,7 @@ enum class EpaperPlane : uint8_t {
 enum class EpaperRefresh : uint8_t { full, partial };
 
 /// Its pixels are those of PixelFormat::mono_rows with BitOrder::high_left, and
-/// 1 is white: clear strips to 0xff and draw with MonoRowsTarget::level 0. The
+/// 1 is white: clear strips to 0xff and draw with level 0. The
 /// bus sends a command byte by `command` and its parameters by `data`, and
 /// needs `wait_idle`.
 struct Ssd1680 {

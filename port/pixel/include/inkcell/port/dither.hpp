@@ -1,26 +1,32 @@
-// Sinks with ordered dither, for formats of 1, 2 and 4 bits.
+// Ordered dither, for canvases of 1, 2 and 4 bits.
 //
 // A 4 x 4 matrix, fixed on the screen, decides which pixels round up: 17 shades
-// from 1 bit, 49 from 2. Good for shadows and glows, bad for text: use
-// make_sink() for that. Solid pixels are the same in both.
+// from 1 bit, 49 from 2. Good for shadows and glows, bad for text. Solid pixels
+// are the same with and without.
 #pragma once
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/mono_rows.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
+void set_dither(const MonoRowsPixels& pixels, Sink& sink) noexcept;
+void set_dither(const MonoPagesPixels& pixels, Sink& sink) noexcept;
+void set_dither(const Grey2Pixels& pixels, Sink& sink) noexcept;
+void set_dither(const Grey4Pixels& pixels, Sink& sink) noexcept;
+}  // namespace detail
 
-/// `target` must outlive `out`. With 1 bit the threshold shifts the shades: 128
-/// is neutral, less is darker. Errors: see pixel.hpp.
-Status make_dithered_sink(MonoRowsTarget& target, Sink& out) noexcept;
-Status make_dithered_sink(MonoPagesTarget& target, Sink& out) noexcept;
-Status make_dithered_sink(Grey2Target& target, Sink& out) noexcept;
-Status make_dithered_sink(Grey4Target& target, Sink& out) noexcept;
+/// From here on a canvas dithers. With 1 bit the threshold shifts the shades:
+/// 128 is neutral, less is darker.
+template <typename Pixels>
+void set_dither(Canvas<Pixels>& canvas) noexcept {
+  detail::set_dither(canvas.pixels(), canvas);
+}
 
 }  // namespace port
 }  // namespace inkcell

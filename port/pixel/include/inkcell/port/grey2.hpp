@@ -1,24 +1,50 @@
-// A sink for 2-bit grey, four pixels a byte.
+// A canvas of 2-bit grey, four pixels a byte.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
-
-/// Blends in 4 levels.
-struct Grey2Target {
+namespace detail {
+struct Grey2Pixels {
   Strip strip;
-  uint8_t level = 3;  // of the foreground, 0..3; else bad_argument
-  BitOrder order = BitOrder::high_left;
-};
+  uint8_t level;
+  BitOrder order;
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(Grey2Target& target, Sink& out) noexcept;
+  static const SinkKind kKind;
+};
+}  // namespace detail
+
+/// Blends in 4 levels. Levels over 3 are clamped.
+class Grey2Canvas : public Canvas<detail::Grey2Pixels> {
+ public:
+  static constexpr uint8_t kMaxLevel = 3;
+
+  explicit Grey2Canvas(const Strip& strip = {},
+                       uint8_t level = kMaxLevel,
+                       BitOrder order = BitOrder::high_left) noexcept
+      : Canvas(strip, clamped(level), order) {}
+  Grey2Canvas(const Strip& strip,
+              uint8_t level,
+              uint8_t background,
+              BitOrder order = BitOrder::high_left) noexcept
+      : Grey2Canvas(strip, background, order) {
+    fill();
+    set_level(level);
+  }
+
+  /// The level of the foreground.
+  void set_level(uint8_t level) noexcept { pixels_.level = clamped(level); }
+
+ private:
+  static constexpr uint8_t clamped(uint8_t level) noexcept {
+    return level < kMaxLevel ? level : kMaxLevel;
+  }
+};
 
 }  // namespace port
 }  // namespace inkcell

@@ -1,24 +1,50 @@
-// A sink for 4-bit grey, two pixels a byte.
+// A canvas of 4-bit grey, two pixels a byte.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
-
-/// Blends in 16 levels.
-struct Grey4Target {
+namespace detail {
+struct Grey4Pixels {
   Strip strip;
-  uint8_t level = 15;  // of the foreground, 0..15; else bad_argument
-  BitOrder order = BitOrder::high_left;
-};
+  uint8_t level;
+  BitOrder order;
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(Grey4Target& target, Sink& out) noexcept;
+  static const SinkKind kKind;
+};
+}  // namespace detail
+
+/// Blends in 16 levels. Levels over 15 are clamped.
+class Grey4Canvas : public Canvas<detail::Grey4Pixels> {
+ public:
+  static constexpr uint8_t kMaxLevel = 15;
+
+  explicit Grey4Canvas(const Strip& strip = {},
+                       uint8_t level = kMaxLevel,
+                       BitOrder order = BitOrder::high_left) noexcept
+      : Canvas(strip, clamped(level), order) {}
+  Grey4Canvas(const Strip& strip,
+              uint8_t level,
+              uint8_t background,
+              BitOrder order = BitOrder::high_left) noexcept
+      : Grey4Canvas(strip, background, order) {
+    fill();
+    set_level(level);
+  }
+
+  /// The level of the foreground.
+  void set_level(uint8_t level) noexcept { pixels_.level = clamped(level); }
+
+ private:
+  static constexpr uint8_t clamped(uint8_t level) noexcept {
+    return level < kMaxLevel ? level : kMaxLevel;
+  }
+};
 
 }  // namespace port
 }  // namespace inkcell

@@ -1,22 +1,36 @@
-// A sink for 8-bit grey.
+// A canvas of 8-bit grey.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
-
-struct Grey8Target {
+namespace detail {
+struct Grey8Pixels {
   Strip strip;
-  uint8_t level = 255;  // of the foreground
-};
+  uint8_t level;
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(Grey8Target& target, Sink& out) noexcept;
+  static const SinkKind kKind;
+};
+}  // namespace detail
+
+class Grey8Canvas : public Canvas<detail::Grey8Pixels> {
+ public:
+  explicit Grey8Canvas(const Strip& strip = {}, uint8_t level = 255) noexcept
+      : Canvas(strip, level) {}
+  Grey8Canvas(const Strip& strip, uint8_t level, uint8_t background) noexcept
+      : Grey8Canvas(strip, background) {
+    fill();
+    set_level(level);
+  }
+
+  /// The level of the foreground.
+  void set_level(uint8_t level) noexcept { pixels_.level = level; }
+};
 
 }  // namespace port
 }  // namespace inkcell

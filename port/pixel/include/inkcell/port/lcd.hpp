@@ -1,23 +1,28 @@
-// Sinks for LCD sub-pixels, in the colour formats.
+// LCD sub-pixels, for canvases of colour.
 //
-// The sinks of make_sink() with Sink::coverage_rgb in addition. To use them,
-// set the effect Lcd (inkcell/lcd.hpp) on a style.
+// Each channel is blended with its own coverage (Sink::coverage_rgb). To use
+// it, set the effect Lcd (inkcell/lcd.hpp) on a style.
 #pragma once
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
+void set_sub_pixels(const Rgb565Pixels& pixels, Sink& sink) noexcept;
+void set_sub_pixels(const Rgb888Pixels& pixels, Sink& sink) noexcept;
+void set_sub_pixels(const Xrgb8888Pixels& pixels, Sink& sink) noexcept;
+}  // namespace detail
 
-/// `target` must outlive `out`. Each channel is blended with its own coverage.
-/// Errors: see pixel.hpp.
-Status make_lcd_sink(Rgb565Target& target, Sink& out) noexcept;
-Status make_lcd_sink(Rgb888Target& target, Sink& out) noexcept;
-Status make_lcd_sink(Xrgb8888Target& target, Sink& out) noexcept;
+/// From here on a canvas takes a coverage for each sub-pixel.
+template <typename Pixels>
+void set_sub_pixels(Canvas<Pixels>& canvas) noexcept {
+  detail::set_sub_pixels(canvas.pixels(), canvas);
+}
 
 }  // namespace port
 }  // namespace inkcell

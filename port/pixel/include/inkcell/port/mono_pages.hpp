@@ -1,14 +1,23 @@
-// A sink for 1-bit pixels in pages, the format of SSD1306 and SSD0303.
+// A canvas of 1-bit pixels in pages, the format of SSD1306 and SSD0303.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
+struct MonoPagesPixels {
+  Strip strip;
+  uint8_t threshold;
+  uint8_t level;
+
+  static const SinkKind kKind;
+};
+}  // namespace detail
 
 /// A byte is a column of 8 pixels, bit 0 on top; a page is a row of such bytes.
 ///
@@ -19,14 +28,28 @@ namespace port {
 /// Strip::y0 is the top of the first page. If the height is not a multiple of
 /// 8, the lowest pixels of the last page are unchanged. A pixel is drawn if its
 /// coverage is at least the threshold.
-struct MonoPagesTarget {
-  Strip strip;
-  uint8_t threshold = 128;  // 1..255; else bad_argument
-  uint8_t level = 1;        // 1 sets the bits of drawn pixels, 0 clears them
-};
+class MonoPagesCanvas : public Canvas<detail::MonoPagesPixels> {
+ public:
+  static constexpr uint8_t kThreshold = 128;
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(MonoPagesTarget& target, Sink& out) noexcept;
+  /// A level of 1 sets the bits of drawn pixels, 0 clears them.
+  explicit MonoPagesCanvas(const Strip& strip = {}, uint8_t level = 1) noexcept
+      : Canvas(strip, kThreshold, level) {}
+  MonoPagesCanvas(const Strip& strip,
+                  uint8_t level,
+                  uint8_t background) noexcept
+      : MonoPagesCanvas(strip, background) {
+    fill();
+    set_level(level);
+  }
+
+  void set_level(uint8_t level) noexcept { pixels_.level = level; }
+
+  /// The least coverage that is drawn, kThreshold by default; 0 counts as 1.
+  void set_threshold(uint8_t threshold) noexcept {
+    pixels_.threshold = threshold == 0 ? 1 : threshold;
+  }
+};
 
 }  // namespace port
 }  // namespace inkcell

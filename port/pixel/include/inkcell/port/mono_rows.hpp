@@ -1,25 +1,51 @@
-// A sink for 1-bit pixels, eight along the row in a byte.
+// A canvas of 1-bit pixels, eight along the row in a byte.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
+namespace detail {
+struct MonoRowsPixels {
+  Strip strip;
+  uint8_t threshold;
+  uint8_t level;
+  BitOrder order;
+
+  static const SinkKind kKind;
+};
+}  // namespace detail
 
 /// A pixel is drawn if its coverage is at least the threshold.
-struct MonoRowsTarget {
-  Strip strip;
-  uint8_t threshold = 128;  // 1..255; else bad_argument
-  uint8_t level = 1;        // 1 sets the bits of drawn pixels, 0 clears them
-  BitOrder order = BitOrder::high_left;
-};
+class MonoRowsCanvas : public Canvas<detail::MonoRowsPixels> {
+ public:
+  static constexpr uint8_t kThreshold = 128;
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(MonoRowsTarget& target, Sink& out) noexcept;
+  /// A level of 1 sets the bits of drawn pixels, 0 clears them.
+  explicit MonoRowsCanvas(const Strip& strip = {},
+                          uint8_t level = 1,
+                          BitOrder order = BitOrder::high_left) noexcept
+      : Canvas(strip, kThreshold, level, order) {}
+  MonoRowsCanvas(const Strip& strip,
+                 uint8_t level,
+                 uint8_t background,
+                 BitOrder order = BitOrder::high_left) noexcept
+      : MonoRowsCanvas(strip, background, order) {
+    fill();
+    set_level(level);
+  }
+
+  void set_level(uint8_t level) noexcept { pixels_.level = level; }
+
+  /// The least coverage that is drawn, kThreshold by default; 0 counts as 1.
+  void set_threshold(uint8_t threshold) noexcept {
+    pixels_.threshold = threshold == 0 ? 1 : threshold;
+  }
+};
 
 }  // namespace port
 }  // namespace inkcell

@@ -1,31 +1,32 @@
 // Pixel formats: the bytes that a strip needs, and the blend of all formats.
 //
-// Each format has a header of its own with a target and a make_sink():
+// Each format has a header of its own with a canvas (canvas.hpp):
 //
-//   a8.hpp        A8Target          coverage itself, 8 bit
-//   grey8.hpp     Grey8Target       256 levels
-//   grey4.hpp     Grey4Target       16 levels, either nibble first
-//   grey2.hpp     Grey2Target       4 levels, either end first
-//   mono_rows.hpp   MonoRowsTarget  1 bit, bytes along the row
-//   mono_pages.hpp  MonoPagesTarget 1 bit, bytes of 8 rows, bit 0 on top
-//   rgb565.hpp    Rgb565Target      either byte first
-//   rgb888.hpp    Rgb888Target      3 bytes, red or blue first
-//   xrgb8888.hpp  Xrgb8888Target    4 bytes: blue, green, red, x
+//   a8.hpp          A8Canvas         coverage itself, 8 bit
+//   grey8.hpp       Grey8Canvas      256 levels
+//   grey4.hpp       Grey4Canvas      16 levels, either nibble first
+//   grey2.hpp       Grey2Canvas      4 levels, either end first
+//   mono_rows.hpp   MonoRowsCanvas   1 bit, bytes along the row
+//   mono_pages.hpp  MonoPagesCanvas  1 bit, bytes of 8 rows, bit 0 on top
+//   rgb565.hpp      Rgb565Canvas     either byte first
+//   rgb888.hpp      Rgb888Canvas     3 bytes, red or blue first
+//   xrgb8888.hpp    Xrgb8888Canvas   4 bytes: blue, green, red, x
 //
-// lcd.hpp has sinks for LCD sub-pixels in the colour formats, dither.hpp sinks
-// with dither in formats of 1, 2 and 4 bits.
+// lcd.hpp adds LCD sub-pixels to canvases of colour, dither.hpp dither to those
+// of 1, 2 and 4 bits.
 //
-// A target is a strip and a colour. The caller owns it, and it must outlive the
-// sink. The colour may change between two draw calls; for another strip make a
-// new sink. On errors make_sink() leaves `out` unchanged and returns:
+// The colour may change between two draw calls. Canvas::status() is ok, or:
 //
 //   bad_argument  a negative size; a size or the distance of a corner from the
-//                 origin over 32767 px; a stride shorter than a row or over
-//                 65535 bytes; or as the target's header says
-//   buffer_small  fewer pixels than the rows need
-//   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes
+//                 origin over 32767 px; or a stride shorter than a row or over
+//                 65535 bytes: the window is empty
+//   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes:
+//   the
+//                 window is empty
+//   buffer_small  fewer bytes than the rows need: the window has the rows that
+//                 they hold
 //
-// A sink never writes outside of its strip, whatever its arguments, and never
+// A canvas never writes outside of its strip, whatever its arguments, and never
 // changes a pixel of coverage 0.
 #pragma once
 
@@ -114,8 +115,7 @@ constexpr size_t strip_bytes(PixelFormat format,
          static_cast<size_t>(strides);
 }
 
-/// Whether `strip` can hold pixels of `format`; else bad_argument or
-/// buffer_small as described above.
+/// Whether `strip` can hold pixels of `format`; else what Canvas::status() is.
 Status check_strip(const Strip& strip, PixelFormat format) noexcept;
 
 /// value / 255 to the nearest integer, exact for 0..65535. There are no ties:

@@ -1,32 +1,52 @@
-// A sink for RGB565, either byte first, at any address.
+// A canvas of RGB565, either byte first, at any address.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
-#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
-
 /// The pixel of an 8-bit colour: the high bits of each channel.
 constexpr uint16_t rgb565(uint8_t red, uint8_t green, uint8_t blue) noexcept {
   return static_cast<uint16_t>((red >> 3) << 11 | (green >> 2) << 5 |
                                blue >> 3);
 }
 
+namespace detail {
+struct Rgb565Pixels {
+  Strip strip;
+  uint16_t colour;
+  ByteOrder order;
+
+  static const SinkKind kKind;
+};
+}  // namespace detail
+
 /// Blends in 32, 64 and 32 levels, with coverage in 32 steps: at most one level
 /// off from blend(). Coverage of 255 gives the colour itself. Any address
 /// works; low_first at even addresses is fastest.
-struct Rgb565Target {
-  Strip strip;
-  uint16_t colour = 0xffff;  // of the foreground: rgb565()
-  ByteOrder order = ByteOrder::low_first;
-};
+class Rgb565Canvas : public Canvas<detail::Rgb565Pixels> {
+ public:
+  explicit Rgb565Canvas(const Strip& strip = {},
+                        uint16_t colour = 0xffff,
+                        ByteOrder order = ByteOrder::low_first) noexcept
+      : Canvas(strip, colour, order) {}
+  Rgb565Canvas(const Strip& strip,
+               uint16_t colour,
+               uint16_t background,
+               ByteOrder order = ByteOrder::low_first) noexcept
+      : Rgb565Canvas(strip, background, order) {
+    fill();
+    set_colour(colour);
+  }
 
-/// `target` must outlive `out`. Errors: see pixel.hpp.
-Status make_sink(Rgb565Target& target, Sink& out) noexcept;
+  /// The colour of the foreground: rgb565().
+  void set_colour(uint16_t colour) noexcept { pixels_.colour = colour; }
+  void set_order(ByteOrder order) noexcept { pixels_.order = order; }
+};
 
 }  // namespace port
 }  // namespace inkcell
