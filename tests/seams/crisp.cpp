@@ -14,7 +14,7 @@
 #include "inkcell/bilevel.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/a8.hpp"
-#include "inkcell/text.hpp"
+#include "inkcell/painter.hpp"
 #include "rom_file.hpp"
 
 namespace {
