@@ -77,7 +77,8 @@ def check_render(work, build):
     """Problems of inkcell-render, which draws by area what the program draws:
     white on black, 5 bits of red and 6 of green in place of 8 of grey."""
     picture, screen = work / "hello.pgm", work / "screen"
-    text = re.search(r'draw_text\(font, "(.*?)"', blocks("cpp")).group(1)
+    text = re.search(r'painter\.text\(.*?"(.*?)"',
+                     blocks("cpp")).group(1)
     result = run([build / "host_tools/inkcell-render", "--font", FONT, "--text",
                   text, "--px", 24, "--width", 160, "--height", 40, "--ox", 4,
                   "--oy", 28, "--filter", "area", "--out", picture])
