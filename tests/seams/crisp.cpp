@@ -13,8 +13,8 @@
 
 #include "inkcell/bilevel.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/port/a8.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/port/a8.hpp"
 #include "rom_file.hpp"
 
 namespace {

@@ -119,8 +119,8 @@ TEST(styles_are_checked_before_they_draw) {
   Style style(Q26_6::from_int(9), kFilterText);
   const auto draw = [&] { Painter(kSink).text(font, style, {}, "A"); };
   CHECK(!ends(draw));
-  const Splats splats;
-  style.set_effect(splat_effect(splats));
+  const Splat splat({});
+  style.set_effect(splat);
   CHECK_EQ(font.check(style), Status::unsupported);
   CHECK(ends(draw));
 }

@@ -3,13 +3,14 @@
 #include "inkcell/painter.hpp"
 
 #include "check.hpp"
-#include "inkcell/crisp.hpp"
-#include "inkcell/effects.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/shadow.hpp"
 #include "inkcell/shaped_run.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
 #include "outline_record.hpp"
 
@@ -148,25 +149,21 @@ TEST(boxes_of_text_hold_what_is_drawn) {
 
 TEST(boxes_of_text_hold_what_effects_draw) {
   const Font font = sample_font();
+  const Stroke stroke(kFilterText, Q6_10::from_raw(1500));
+  const Lcd lcd;
+  const Bilevel bilevel;
+  const Supersample samples;
+  const MotionBlur blur(at(150, -75));
   Style style = style_of(16);
-  const Outline outline =
-      make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::centred);
-  style = Style(Q26_6::from_int(16), outline.outer);
-  style.set_effect(outline_effect(outline.inner));
-  check_boxes("outline", font, style);
-  style = style_of(16);
-  const LcdOptions lcd;
-  style.set_effect(lcd_effect(lcd));
+  style.set_effect(stroke);
+  check_boxes("stroke", font, style);
+  style.set_effect(lcd);
   check_boxes("sub-pixels", font, style);
-  const CrispOptions crisp;
-  style.set_effect(crisp_effect(crisp));
+  style.set_effect(bilevel);
   check_boxes("1 bit", font, style);
-  const Supersampling samples = make_supersampling();
-  style.set_effect(supersample_effect(samples));
+  style.set_effect(samples);
   check_boxes("supersampling", font, style);
-  MotionBlur blur;
-  CHECK_OK(make_motion_blur(at(150, -75), blur));
-  style.set_effect(motion_blur_effect(blur));
+  style.set_effect(blur);
   check_boxes("motion blur", font, style);
 }
 
@@ -179,7 +176,7 @@ TEST(boxes_of_text_hold_what_fitted_styles_draw) {
     options.across = is_across;
     Fit fit;
     CHECK_OK(Fit::make(font, style, options, fit));
-    style.set_fitter(&kGridFit, &fit);
+    style.set_fit(fit);
     check_boxes(is_across ? "fitted across" : "fitted", font, style);
   }
 }
@@ -210,8 +207,8 @@ TEST(what_shows_nothing_has_no_box) {
   CHECK(is_empty(painter.box(font, style, {}, ShapedRun())));
   CHECK(is_empty(painter.box(font, style, {}, Span<const PositionedGlyph>())));
   CHECK(is_empty(painter.box(font, style, at(INT32_MAX, INT32_MIN), kText)));
-  const Splats splats;
-  style.set_effect(splat_effect(splats));
+  const Splat splat({});
+  style.set_effect(splat);
   CHECK_EQ(font.check(style), Status::unsupported);
   CHECK(is_empty(painter.box(font, style, {}, kText)));
   CHECK_OK(Font().check(style));

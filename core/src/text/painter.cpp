@@ -1,6 +1,7 @@
 // From text and runs to glyphs, each drawn where it stands.
 #include "inkcell/painter.hpp"
 
+#include "base/math.hpp"
 #include "inkcell/assert.hpp"
 #include "rows/draw_bands.hpp"
 #include "text/glyph_run.hpp"
