@@ -24,7 +24,7 @@ CONSTANTS = [
      "core/include/inkcell/style.hpp", r"kMinSize = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"Sizes 4 to (\d+) px/em",
      "core/include/inkcell/style.hpp", r"kMaxSize = Q26_6::from_int\((\d+)\)"),
-    ("README.md", r"text of 8 to (\d+) px that stands still",
+    ("README.md", r"of 8 to (\d+) px that stands still",
      "core/include/inkcell/fit.hpp", r"kEnds = Q26_6::from_int\((\d+)\)"),
 ]
 
@@ -159,16 +159,12 @@ def measured(bench):
         ("docs/DESIGN.md", r"\| outlines \| (\d+) \| (\d+) \|",
          [rom("outline"), bench.number("Fonts and RAM", "outline",
                                        "LiberationSerif-Regular")]),
-        ("README.md", r"([\d.]+) thousand instructions a glyph at 12 px on "
-         r"Cortex-M3, ([\d.]+) at 48 px",
-         [glyph("outline", 12), glyph("outline", 48)]),
-        ("README.md", r"FreeType takes ([\d.]+) and ([\d.]+), in ([\d.]+) KB",
-         [glyph("FreeType", 12), glyph("FreeType", 48),
-          bench.number("Stack", "Cortex-M3, -O2", "FreeType") / 1000]),
-        ("README.md", r"on Cortex-M0 ([\d.]+) and ([\d.]+), FreeType ([\d.]+) "
-         r"and ([\d.]+)",
-         [glyph(engine, px, "Cortex-M0") for engine in ("outline", "FreeType")
-          for px in (12, 48)]),
+        *(("README.md", rf"\| {core} at (\d+) MHz \| ([\d.]+) ms "
+           r"\| ([\d.]+) ms \| ([\d.]+) ms \|",
+           [mhz, *(20 * glyph("outline", px, core) / mhz
+                   for px in (12, 24, 48))])
+          for core, mhz in (("Cortex-M0", 48), ("Cortex-M3", 100),
+                            ("RV32IMC", 160))),
         ("docs/PORTING.md", r"ASCII characters at 12 px into ([\d.]+) KB",
          [cached]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M0 at -Os",

@@ -517,7 +517,8 @@ class Tools(unittest.TestCase):
 
     def test_keys_of_jobs_are_listed(self):
         listed = run("render", "--help").split("--jobs FILE.jsonl")[1]
-        read = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
+        read = (pathlib.Path(__file__).parents[2] /
+                "docs/PORTING.md").read_text()
         read = read.split("`inkcell-render --jobs FILE.jsonl`")[1]
         listed = listed.split("--out")[0].replace("\n", " ")
         read = read.split("\n\n")[0].replace("\n", " ")

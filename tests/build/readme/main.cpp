@@ -1,8 +1,10 @@
-// Calls the README's functions and looks whether they drew their line of text.
+// Calls the README's function and one of layout, and looks at what they drew.
 #include <stdio.h>
 #include <string.h>
 #include <fonts/dejavu_sans.hpp>
 #include <inkcell/font.hpp>
+#include <inkcell/layout/label.hpp>
+#include <inkcell/layout/text_box.hpp>
 #include <inkcell/port/pixel.hpp>
 #include <inkcell/port/rgb565.hpp>
 #include <inkcell/status.hpp>
@@ -10,10 +12,6 @@
 #include <inkcell/text.hpp>
 
 inkcell::Status hello(const inkcell::Strip& strip);
-inkcell::Status page(const inkcell::Font& font,
-                     const inkcell::Style& style,
-                     inkcell::Q26_6 scroll,
-                     const inkcell::Sink& sink);
 
 // Nobody calls it, so that nothing of what it calls is linked.
 inkcell::Status uncalled(const inkcell::Font& font) {
@@ -54,6 +52,22 @@ int lines_of(const Screen& screen) {
   return lines;
 }
 
+// A paragraph, and a label that scrolls, of the library inkcell::layout.
+inkcell::Status page(const inkcell::Font& font,
+                     const inkcell::Style& style,
+                     inkcell::Q26_6 scroll,
+                     const inkcell::Sink& sink) {
+  const inkcell::TextBox box(font, style, {4, 0, 156, 64},
+                             inkcell::Align::centre);
+  box.draw("A paragraph that wraps", sink);
+  inkcell::PositionedGlyph glyphs[32];
+  inkcell::ScrollingLabel label;
+  INKCELL_TRY(inkcell::ScrollingLabel::make(box.options, "A title that scrolls",
+                                            {0, 64, 160, 96}, glyphs, label));
+  label.draw_endless(scroll, inkcell::Q26_6::from_int(16), sink);
+  return inkcell::Status::ok;
+}
+
 inkcell::Status draw_page(int32_t scroll, Screen& screen) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
@@ -83,7 +97,7 @@ bool page_works() {
 // Writes the screen's bytes to the file that is named, if there is one.
 int main(int argc, char** argv) {
   if (!page_works()) {
-    puts("the README's page is not as it should be");
+    puts("the page of layout is not as it should be");
     return 1;
   }
   Screen screen;
