@@ -55,7 +55,7 @@ CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "to_units",
                 "to_whole_px", "Pen", "RunCursor"]
 
 # Where drawing begins.
-DRAWING = re.compile(r"^inkcell::draw\(")
+DRAWING = re.compile(r"^inkcell::Painter::")
 
 NODE = re.compile(r'node: { title: "([^"]+)" label: "[^"]*?'
                   r'\\n(\d+) bytes \((\w+)\)[^"]*"')

@@ -161,7 +161,8 @@ struct Solver {
     }
   }
 
-  void solve(BodyContact& contact) const noexcept {
+  // Not inline: with it the frame of solve_all() is large.
+  __attribute__((noinline)) void solve(BodyContact& contact) const noexcept {
     if (contact.gap_q10 >= kTouchQ10) {
       return;  // soft only
     }
