@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 . host_tools/setup.sh
 inkcell_setup tests
 inkcell_setup web
-inkcell_setup packages chromium
+inkcell_setup packages chromium woff2
 # Debian's npm does not go with a node of others.
 command -v npm >/dev/null || inkcell_setup packages npm
 sh host_tools/playground/build.sh

@@ -3,8 +3,8 @@
 //
 // Usage: node fonts.mjs GENERATOR_FOLDER HOST_FONTGEN FOLDER [CASE]
 import assert from 'node:assert/strict';
-import {spawnSync} from 'node:child_process';
-import {mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {execFileSync, spawnSync} from 'node:child_process';
+import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {basename} from 'node:path';
 
@@ -32,6 +32,7 @@ const cases = {
   'italic': [`${truetype}/liberation/LiberationSerif-Italic.ttf`, ...letters],
   'narrow': [`${truetype}/liberation/LiberationSansNarrow-Regular.ttf`, ...letters],
   'Roboto': [`${truetype}/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf`, ...letters],
+  'WOFF2': [`${folder}/packed.woff2`, ...letters],
   'Devanagari': [`${truetype}/lohit-devanagari/Lohit-Devanagari.ttf`, '--symbols', 'अआकखग'],
   'Thai': [`${truetype}/tlwg/Loma.ttf`, '--symbols', 'กขคงจ'],
   'collection of CFF': ['/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc',
@@ -45,6 +46,8 @@ const cases = {
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 for (const [name, bytes] of Object.entries(files)) writeFileSync(`${folder}/${name}`, bytes);
+copyFileSync(`${truetype}/liberation/LiberationSans-Regular.ttf`, `${folder}/packed.ttf`);
+execFileSync('woff2_compress', ['packed.ttf'], {cwd: folder, stdio: 'ignore'});
 const seconds = (usage) => (usage.user / 1e6).toFixed(2);
 for (const [name, [font, ...options]] of Object.entries(cases)) {
   if (only && only !== name) continue;
