@@ -360,6 +360,16 @@ struct Job {
   }
 };
 
+// Not memcmp(): a program need not have one.
+bool are_equal(const uint8_t* a, const uint8_t* b, int32_t count) noexcept {
+  while (count != 0 && *a == *b) {
+    ++a;
+    ++b;
+    --count;
+  }
+  return count == 0;
+}
+
 }  // namespace
 
 int32_t most_row_bytes(int32_t width, Packing packing) noexcept {
@@ -394,8 +404,7 @@ uint8_t* record_row(const uint8_t* coverage,
   const auto bytes = static_cast<int32_t>(out - end);
   if (last != nullptr && rows_of(last) != kMostEqual && end - last == bytes &&
       ((*last ^ *end) & ~kRowsMask) == 0 &&
-      __builtin_memcmp(last + 1, end + 1, static_cast<size_t>(bytes - 1)) ==
-          0) {
+      are_equal(last + 1, end + 1, bytes - 1)) {
     ++*last;
     return end;
   }
