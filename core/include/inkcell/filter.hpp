@@ -1,4 +1,6 @@
 // From signed distance to coverage: cutoffs, contrast and weight in one table.
+// kFilterArea, the default of styles, takes exact areas of outlines instead;
+// its table is for fields and effects.
 #pragma once
 
 #include <stdint.h>

@@ -145,9 +145,9 @@ class Style {
   }
 
   /// Sets the effect that draws the glyphs (effect.hpp), which must outlive the
-  /// style. Without one, the default, a pixel takes one sample at its centre,
-  /// which is the fastest. Font::check() refuses pairs of font and effect that
-  /// draw nothing.
+  /// style. Without one, the default, the filter alone makes coverage, which is
+  /// the fastest. Font::check() refuses pairs of font and effect that draw
+  /// nothing.
   constexpr Style& set_effect(const Effect& effect) noexcept {
     effect_ = &effect;
     return *this;

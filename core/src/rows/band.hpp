@@ -10,7 +10,7 @@ namespace detail {
 
 // Some rows and columns of a glyph. Painters write whatever lies in it and
 // leave out the rest, so that a picture does not depend on how a glyph is cut
-// into bands. All bytes are 0 before and after.
+// into bands. All bytes are 0 before.
 //
 //        0   1 .. last_column  last_column + 1
 //   -1   .   .       .             .             guards: the second pixel of a

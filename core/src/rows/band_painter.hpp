@@ -23,8 +23,8 @@ enum class BandKind : uint8_t {
   area,
 };
 
-// A filter names one; so does a mixer. Sources
-// other than outlines look at `kind` and `reach_q8` only.
+// A filter names one, and so does a mixer. Sources other than outlines look at
+// `kind` and `reach_q8` only.
 struct BandPainter {
   // Paints points of outlines into a band.
   void (*paint)(const Band& band,

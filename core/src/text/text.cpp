@@ -1,7 +1,7 @@
 #include "inkcell/text.hpp"
 
 #include "inkcell/assert.hpp"
-#include "text/find_glyph.hpp"
+#include "text/blank.hpp"
 #include "text/text_place.hpp"
 
 namespace inkcell {
@@ -37,6 +37,26 @@ bool begins_well(uint32_t count, uint32_t bits) noexcept {
     return bits >= 0x800 >> 6 && bits >> 5 != 0xd800 >> 11;
   }
   return count == 1 || bits - (0x10000 >> 12) < 0x100000 >> 12;
+}
+
+// False: nothing is to be drawn. Only characters that show something become
+// .notdef where the font lacks them.
+bool find_glyph(const Font& font,
+                uint32_t code_point,
+                uint16_t& glyph) noexcept {
+  const detail::Shown shown = detail::shown_as(code_point);
+  if (shown == detail::Shown::nothing) {
+    return false;
+  }
+  if (code_point == '\t') {
+    code_point = ' ';
+  }
+  if (font.glyph_of(code_point, glyph) == Status::ok ||
+      shown == detail::Shown::glyph) {
+    return true;
+  }
+  return shown == detail::Shown::space &&
+         font.glyph_of(' ', glyph) == Status::ok;
 }
 
 }  // namespace
@@ -82,7 +102,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   while (text_.size != 0) {
     const size_t offset = size_ - text_.size;
     uint16_t glyph = 0;
-    if (!detail::find_glyph(font_, next_code_point(text_), glyph)) {
+    if (!find_glyph(font_, next_code_point(text_), glyph)) {
       continue;
     }
     const Advances advances(font_, style_);

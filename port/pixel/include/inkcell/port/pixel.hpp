@@ -12,7 +12,7 @@
 //   rgb888.hpp      Rgb888Canvas     3 bytes, red or blue first
 //   xrgb8888.hpp    Xrgb8888Canvas   4 bytes: blue, green, red, x
 //
-// lcd.hpp adds LCD sub-pixels to canvases of colour, dither.hpp dither to those
+// lcd.hpp adds LCD sub-pixels to colour canvases, dither.hpp dither to those
 // of 1, 2 and 4 bits.
 //
 // The colour may change between two draw calls. Canvas::status() is ok, or:
@@ -21,8 +21,7 @@
 //                 origin over 32767 px; or a stride shorter than a row or over
 //                 65535 bytes: the window is empty
 //   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes:
-//   the
-//                 window is empty
+//                 the window is empty
 //   buffer_small  fewer bytes than the rows need: the window has the rows that
 //                 they hold
 //
