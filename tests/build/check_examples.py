@@ -1,0 +1,110 @@
+"""Builds the complete programs of port/display/examples for Cortex-M0 at -Os, runs
+them in QEMU and on the host against models of their displays, and compares their
+sizes with the table of docs/PORTING.md.
+
+Code is .text of the program with libgcc, memcpy() and memset(), without start-up
+code; RAM is what is static. Stack is what main() took in QEMU. Both machines must
+show the same screens.
+
+Usage: check_examples.py WORK_FOLDER FONTGEN PROGRAM...
+"""
+import pathlib
+import re
+import shutil
+import sys
+
+from toolchains import ARM, ROOT, finish, require, run
+
+EXAMPLES = ROOT / "port/display/examples"
+TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
+QEMU = ROOT / "boards/common/qemu_run.sh"
+# The most lines of a program's main() and of the function that it runs.
+MOST_LINES = 60
+# What the table may be off by. [bytes]
+SPREAD = {"code": 100, "constants": 100, "RAM": 50, "stack": 32}
+
+
+def call(*command):
+    """Output of a command that must work."""
+    result = run(command)
+    if result.returncode != 0:
+        finish(0, [" ".join(map(str, command)) + "\n" + result.stdout])
+    return result.stdout
+
+
+def count_lines(name):
+    """Lines of run() and main(), which end the program."""
+    text = (EXAMPLES / f"{name}.cpp").read_text()
+    return len(text[text.index("static Status run() {"):].splitlines())
+
+
+def sizes_of(program):
+    """Bytes of a linked program's sections."""
+    output = call(ARM + "size", "-A", program)
+    sections = {name: int(size) for name, size in
+                re.findall(r"^(\.\S+)\s+(\d+)", output, re.M)}
+    return {"code": sections[".text"], "constants": sections[".rodata"],
+            "RAM": sections.get(".data", 0) + sections.get(".bss", 0)}
+
+
+def table():
+    """The rows of the table, by the program's name."""
+    rows = re.findall(r"^\| `(\w+)\.cpp` \|.*\| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$",
+                      (ROOT / "docs/PORTING.md").read_text(), re.M)
+    return {name: dict(zip(SPREAD, map(int, figures)))
+            for name, *figures in rows}
+
+
+def check(program, build, said):
+    """Problems of one program, which the host has run as `program`."""
+    name = program.name.removeprefix("example_")
+    host = run([program])
+    device = run(["sh", QEMU, "mps2_an385", build / f"example_{name}.elf"])
+    problems = [f"{name} ({where}):\n{result.stdout}"
+                for where, result in (("host", host), ("Cortex-M0", device))
+                if result.returncode != 0]
+    stack = re.search(r"^stack (\d+)\n", device.stdout, re.M)
+    if problems or not stack:
+        return problems or [f"{name}: no stack in {device.stdout}"]
+    if device.stdout.replace(stack.group(0), "") != host.stdout:
+        problems.append(f"{name}: other screens on Cortex-M0:\n{device.stdout}\n"
+                        f"than on the host:\n{host.stdout}")
+    found = {**sizes_of(build / f"examples/{name}.elf"),
+             "stack": int(stack.group(1))}
+    print(f"{name:8} " + ", ".join(f"{what} {size}"
+                                   for what, size in found.items()))
+    problems += [f"docs/PORTING.md: {name}.cpp takes {found[what]} bytes of "
+                 f"{what}, not {said.get(name, {}).get(what)}"
+                 for what, spread in SPREAD.items()
+                 if abs(said.get(name, {}).get(what, -1000) - found[what]) > spread]
+    lines = count_lines(name)
+    if lines > MOST_LINES:
+        problems.append(f"{name}.cpp: run() and main() have {lines} lines; "
+                        f"{MOST_LINES} are allowed")
+    return problems
+
+
+def main():
+    work, fontgen, *programs = (pathlib.Path(word).resolve()
+                                for word in sys.argv[1:])
+    require([ARM + "g++", "cmake", "ninja", "qemu-system-arm"])
+    shutil.rmtree(work, ignore_errors=True)
+    names = {path.stem for path in EXAMPLES.glob("*.cpp")} - {"your_board"}
+    said = table()
+    problems = []
+    for what, found in (("tests", {path.name.removeprefix("example_")
+                                   for path in programs}),
+                        ("rows in docs/PORTING.md", set(said))):
+        if found != names:
+            problems.append(f"examples {sorted(names)}, {what} {sorted(found)}")
+    call("cmake", "-G", "Ninja", "-S", ROOT / "tests/build/examples", "-B", work,
+         f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}", "-DCMAKE_BUILD_TYPE=MinSizeRel",
+         f"-DINKCELL_FONTGEN={fontgen}")
+    call("cmake", "--build", work, "--target",
+         *(program.name for program in programs))
+    for program in programs:
+        problems += check(program, work, said)
+    finish(len(programs) + 1, problems)
+
+
+main()

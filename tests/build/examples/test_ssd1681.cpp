@@ -1,0 +1,83 @@
+// The example ssd1681.cpp: a full refresh and two partial ones.
+#include "epaper_model.hpp"
+#include "example.hpp"
+#include "your_board.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr uint32_t kWhite = 0xffffff;
+constexpr int32_t kFrames = 3;
+constexpr const char* kValues[] = {"21.5", "-9.8", "21.5"};
+
+epaper_model::EpaperModel model(200, 200);
+example::Screen<200, 200> screens[kFrames];
+int64_t bytes_sent[kFrames];
+uint8_t modes[kFrames];
+int32_t frame = -1;
+
+}  // namespace
+
+void write_command(void*, const uint8_t* bytes, size_t count) {
+  model.command(&model, bytes, count);
+}
+
+void write_data(void*, const uint8_t* bytes, size_t count) {
+  if (frame >= 0) {
+    bytes_sent[frame] += static_cast<int64_t>(count);
+  }
+  model.data(&model, bytes, count);
+}
+
+void pulse_reset(void*) {
+  ++model.resets;
+  model.busy = true;
+}
+
+void wait_idle(void*) {
+  model.busy = false;
+}
+
+void wait_ms(void*, uint32_t) {}
+
+const char* read_temperature() {
+  if (frame >= 0) {
+    for (int32_t y = 0; y < 200; ++y) {
+      for (int32_t x = 0; x < 200; ++x) {
+        const int32_t bit = model.glass[y][x / 8] >> (7 - x % 8) & 1;
+        screens[frame].pixels[y][x] = bit != 0 ? kWhite : 0;
+      }
+    }
+    screens[frame].show("ssd1681", frame);
+    modes[frame] = model.sequence;
+  }
+  if (++frame == kFrames) {
+    example::stop();
+  }
+  return kValues[frame];
+}
+
+TEST(ssd1681_refreshes_a_value_alone) {
+  example::run();
+  CHECK_EQ(model.resets, 1);
+  CHECK_EQ(model.refreshes, kFrames);
+  const Rect label = {10, 20, 200, 50};
+  const Rect value = {10, 60, 200, 125};
+  for (const auto& screen : screens) {
+    const int32_t letters = screen.ink(label, kWhite);
+    const int32_t digits = screen.ink(value, kWhite);
+    CHECK(letters > 300);
+    CHECK(digits > 2000);
+    CHECK_EQ(letters + digits, screen.ink(kWhite));
+  }
+  CHECK(example::lies_in(screens[1].changes(screens[0]), value));
+  CHECK(is_empty(screens[2].changes(screens[0])));
+  CHECK_EQ(modes[0], 0xf7);  // full
+  for (int32_t i = 1; i < kFrames; ++i) {
+    CHECK_EQ(modes[i], 0xff);
+    check::write_number(bytes_sent[i]);
+    check::write(" bytes sent\n");
+    CHECK(2 * bytes_sent[i] < bytes_sent[0]);
+  }
+}
