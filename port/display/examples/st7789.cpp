@@ -15,7 +15,7 @@
 //   tft.fillRect(...); tft.print(value)  run_double_buffer() over the box of
 //                                        the value, without flicker
 //
-// There as here y is that of the baseline. Text is UTF-8.
+// There, after setFont(), as here y is that of the baseline. Text is UTF-8.
 #include <fonts/room.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/kinetic/dirty_rects.hpp>
