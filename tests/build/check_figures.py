@@ -161,7 +161,7 @@ def measured(bench):
                                        "LiberationSerif-Regular")]),
         *(("README.md", rf"\| {core} at (\d+) MHz \| ([\d.]+) ms "
            r"\| ([\d.]+) ms \| ([\d.]+) ms \|",
-           [mhz, *(20 * glyph("outline", px, core) / mhz
+           [mhz, *(20 * glyph("outline, area", px, core) / mhz
                    for px in (12, 24, 48))])
           for core, mhz in (("Cortex-M0", 48), ("Cortex-M3", 100),
                             ("RV32IMC", 160))),
