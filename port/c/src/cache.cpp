@@ -1,42 +1,9 @@
-// Caches of drawn glyphs.
-#include "inkcell/c/cache.h"
-
-#include "inkcell/cache/glyph_cache.hpp"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
-using c::point_of;
-using c::workspace_of;
-
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_glyph_cache_t> {
-  using Type = GlyphCache;
-};
-template <>
-struct CppOf<inkcell_glyph_cache_stats_t> {
-  using Type = GlyphCacheStats;
-};
-}  // namespace c
-}  // namespace inkcell
-
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, hits, hits);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, misses, misses);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, bypasses, bypasses);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, evictions, evictions);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, glyphs, glyphs);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, bytes, bytes);
-INKCELL_SAME_PLACE(inkcell_glyph_cache_stats_t, capacity, capacity);
-
-namespace {
-
-uint8_t value_or(uint8_t value, uint8_t otherwise) noexcept {
-  return value == 0 ? otherwise : value;
-}
-
-}  // namespace
+using namespace inkcell::c;
 
 inkcell_status_t inkcell_glyph_cache_make(
     void* ram,
@@ -49,9 +16,9 @@ inkcell_status_t inkcell_glyph_cache_make(
     same.phases = value_or(options->phases, same.phases);
     same.styles = value_or(options->styles, same.styles);
   }
-  *cpp(out) = GlyphCache();
-  return c::code(
-      GlyphCache::make({static_cast<uint8_t*>(ram), size}, same, *cpp(out)));
+  ref(out) = GlyphCache();
+  return code(GlyphCache::make({static_cast<uint8_t*>(ram), size}, same,
+      ref(out)));
 }
 
 void inkcell_glyph_cache_draw_text(inkcell_glyph_cache_t* cache,
@@ -63,9 +30,8 @@ void inkcell_glyph_cache_draw_text(inkcell_glyph_cache_t* cache,
                                    int32_t y_q6,
                                    const inkcell_sink_t* sink,
                                    const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
-      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
-            c::text_of(text, size));
+  Painter(ref(sink), workspace_of(ram), cpp(cache)).text(ref(font), ref(style),
+      point_of(x_q6, y_q6), text_of(text, size));
 }
 
 void inkcell_glyph_cache_draw_run(inkcell_glyph_cache_t* cache,
@@ -77,9 +43,8 @@ void inkcell_glyph_cache_draw_run(inkcell_glyph_cache_t* cache,
                                   int32_t y_q6,
                                   const inkcell_sink_t* sink,
                                   const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
-      .glyphs(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
-              {cpp(glyphs), count});
+  Painter(ref(sink), workspace_of(ram), cpp(cache)).glyphs(ref(font),
+      ref(style), point_of(x_q6, y_q6), {cpp(glyphs), count});
 }
 
 void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
@@ -92,16 +57,16 @@ void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
                                     int32_t y_q6,
                                     const inkcell_sink_t* sink,
                                     const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram), cpp(cache))
-      .glyphs(*cpp(face), {cpp(fallback), fallback_count}, point_of(x_q6, y_q6),
-              {cpp(glyphs), count});
+  Painter(ref(sink), workspace_of(ram), cpp(cache)).glyphs(ref(face),
+      {cpp(fallback), fallback_count}, point_of(x_q6, y_q6), {cpp(glyphs),
+      count});
 }
 
 void inkcell_glyph_cache_clear(inkcell_glyph_cache_t* cache) {
-  cpp(cache)->clear();
+  ref(cache).clear();
 }
 
 void inkcell_glyph_cache_stats(const inkcell_glyph_cache_t* cache,
                                inkcell_glyph_cache_stats_t* out) {
-  *cpp(out) = cpp(cache)->stats();
+  ref(out) = ref(cache).stats();
 }

@@ -1,37 +1,9 @@
-// Text, runs and glyphs.
-#include "inkcell/c/draw.h"
-#include "inkcell/painter.hpp"
-
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::code;
-using c::cpp;
-using c::point_of;
-using c::text_of;
-using c::workspace_of;
-
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_text_measure_t> {
-  using Type = TextMeasure;
-};
-}  // namespace c
-}  // namespace inkcell
-
-INKCELL_SAME_PLACE(inkcell_positioned_glyph_t, x, x);
-INKCELL_SAME_PLACE(inkcell_positioned_glyph_t, y, y);
-INKCELL_SAME_PLACE(inkcell_positioned_glyph_t, glyph, glyph);
-INKCELL_SAME_PLACE(inkcell_positioned_glyph_t, offset, offset);
-INKCELL_SAME_PLACE(inkcell_positioned_glyph_t, face, face);
-INKCELL_SAME_PLACE(inkcell_face_t, font, font);
-INKCELL_SAME_PLACE(inkcell_face_t, style, style);
-INKCELL_SAME_PLACE(inkcell_text_measure_t, advance, advance);
-INKCELL_SAME_PLACE(inkcell_text_measure_t, x_min, x_min);
-INKCELL_SAME_PLACE(inkcell_text_measure_t, y_min, y_min);
-INKCELL_SAME_PLACE(inkcell_text_measure_t, x_max, x_max);
-INKCELL_SAME_PLACE(inkcell_text_measure_t, y_max, y_max);
+using namespace inkcell::c;
 
 void inkcell_draw_text(const inkcell_font_t* font,
                        const char* text,
@@ -41,8 +13,8 @@ void inkcell_draw_text(const inkcell_font_t* font,
                        int32_t y_q6,
                        const inkcell_sink_t* sink,
                        const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram))
-      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6), text_of(text, size));
+  Painter(ref(sink), workspace_of(ram)).text(ref(font), ref(style),
+      point_of(x_q6, y_q6), text_of(text, size));
 }
 
 void inkcell_draw_glyph(const inkcell_font_t* font,
@@ -52,8 +24,8 @@ void inkcell_draw_glyph(const inkcell_font_t* font,
                         int32_t y_q6,
                         const inkcell_sink_t* sink,
                         const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram))
-      .glyph(*cpp(font), *cpp(style), point_of(x_q6, y_q6), glyph);
+  Painter(ref(sink), workspace_of(ram)).glyph(ref(font), ref(style),
+      point_of(x_q6, y_q6), glyph);
 }
 
 void inkcell_draw_run(const inkcell_font_t* font,
@@ -64,9 +36,8 @@ void inkcell_draw_run(const inkcell_font_t* font,
                       int32_t y_q6,
                       const inkcell_sink_t* sink,
                       const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram))
-      .glyphs(*cpp(font), *cpp(style), point_of(x_q6, y_q6),
-              {cpp(glyphs), count});
+  Painter(ref(sink), workspace_of(ram)).glyphs(ref(font), ref(style),
+      point_of(x_q6, y_q6), {cpp(glyphs), count});
 }
 
 void inkcell_draw_faces(const inkcell_face_t* face,
@@ -78,9 +49,8 @@ void inkcell_draw_faces(const inkcell_face_t* face,
                         int32_t y_q6,
                         const inkcell_sink_t* sink,
                         const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram))
-      .glyphs(*cpp(face), {cpp(fallback), fallback_count}, point_of(x_q6, y_q6),
-              {cpp(glyphs), count});
+  Painter(ref(sink), workspace_of(ram)).glyphs(ref(face), {cpp(fallback),
+      fallback_count}, point_of(x_q6, y_q6), {cpp(glyphs), count});
 }
 
 void inkcell_glyph_box(const inkcell_font_t* font,
@@ -89,8 +59,8 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        int32_t x_q6,
                        int32_t y_q6,
                        inkcell_rect_t* out) {
-  *cpp(out) =
-      Painter().glyph_box(*cpp(font), *cpp(style), point_of(x_q6, y_q6), glyph);
+  ref(out) = Painter().glyph_box(ref(font), ref(style), point_of(x_q6, y_q6),
+      glyph);
 }
 
 inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
@@ -103,9 +73,10 @@ inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
   const Span<PositionedGlyph> room = {cpp(out), capacity};
   const Text line = text_of(text, size);
   Span<const PositionedGlyph> glyphs;
-  const Status status =
-      style == nullptr ? lay_out(*cpp(font), line, room, glyphs)
-                       : lay_out(*cpp(font), line, *cpp(style), room, glyphs);
+  const Status status = style == nullptr ? lay_out(ref(font), line, room,
+      glyphs)
+                                         : lay_out(ref(font), line, ref(style),
+      room, glyphs);
   *count = glyphs.size;
   return code(status);
 }
@@ -116,12 +87,12 @@ void inkcell_measure(const inkcell_font_t* font,
                      const inkcell_style_t* style,
                      inkcell_text_measure_t* out) {
   const Text line = text_of(text, size);
-  *cpp(out) = style == nullptr ? measure(*cpp(font), line)
-                               : measure(*cpp(font), line, *cpp(style));
+  ref(out) = style == nullptr ? measure(ref(font), line) : measure(ref(font),
+      line, ref(style));
 }
 
 int32_t inkcell_to_px(const inkcell_font_t* font,
                       const inkcell_style_t* style,
                       int32_t units) {
-  return to_px(*cpp(font), *cpp(style), units).raw;
+  return to_px(ref(font), ref(style), units).raw;
 }

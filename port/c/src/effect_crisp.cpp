@@ -1,13 +1,12 @@
-// Text for 1 and 2 bits: of effects.h.
-#include "inkcell/bilevel.hpp"
-#include "inkcell/c/effects.h"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
+using namespace inkcell::c;
 
 void inkcell_style_set_crisp(inkcell_style_t* style,
                              inkcell_crisp_options_t* options) {
-  cpp(style)->set_effect(*new (c::memory<Bilevel>(options->effect)) Bilevel(
-      options->levels, Q6_10::from_raw(options->threshold_q10)));
+  ref(style).set_effect(*new (into_words<Bilevel>(options->effect))
+      Bilevel(options->levels, Q6_10::from_raw(options->threshold_q10)));
 }

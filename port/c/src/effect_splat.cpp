@@ -1,19 +1,9 @@
-// Cells smaller than a pixel: of effects.h.
-#include "inkcell/c/effects.h"
-#include "inkcell/field/splat.hpp"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
-
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_splats_t> {
-  using Type = Splat;
-};
-}  // namespace c
-}  // namespace inkcell
+using namespace inkcell::c;
 
 inkcell_status_t inkcell_splats_make(uint32_t* sums,
                                      size_t count,
@@ -25,12 +15,12 @@ inkcell_status_t inkcell_splats_make(uint32_t* sums,
   if (radius_q10 < kMinSplatRadius.raw || radius_q10 > kMaxSplatRadius.raw) {
     return INKCELL_BAD_ARGUMENT;
   }
-  new (c::place(out))
-      Splat(Span<uint32_t>(sums, count), Q6_10::from_raw(radius_q10));
+  new (into(out)) Splat(Span<uint32_t>(sums, count),
+      Q6_10::from_raw(radius_q10));
   return INKCELL_OK;
 }
 
 void inkcell_style_set_splats(inkcell_style_t* style,
                               const inkcell_splats_t* options) {
-  cpp(style)->set_effect(*cpp(options));
+  ref(style).set_effect(ref(options));
 }

@@ -1,13 +1,12 @@
-// Several samples a pixel: of effects.h.
-#include "inkcell/c/effects.h"
-#include "inkcell/supersample.hpp"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
+using namespace inkcell::c;
 
 void inkcell_style_set_supersampling(inkcell_style_t* style,
                                      inkcell_supersampling_t* options) {
-  cpp(style)->set_effect(*new (c::memory<Supersample>(options->effect))
-                             Supersample(Q6_10::from_raw(options->radius_q10)));
+  ref(style).set_effect(*new (into_words<Supersample>(options->effect))
+      Supersample(Q6_10::from_raw(options->radius_q10)));
 }

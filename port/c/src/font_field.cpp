@@ -1,15 +1,14 @@
-// Fonts of fields: of font.h.
-#include "inkcell/c/font.h"
-#include "inkcell/field/draw.hpp"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
+using namespace inkcell::c;
 
 inkcell_status_t inkcell_font_open_field(const void* rom,
                                          size_t size,
                                          inkcell_font_t* out) {
-  *cpp(out) = Font();
-  return c::code(Font::open({static_cast<const uint8_t*>(rom), size},
-                            kFieldCoding, *cpp(out)));
+  ref(out) = Font();
+  return code(Font::open({static_cast<const uint8_t*>(rom), size}, kFieldCoding,
+      ref(out)));
 }

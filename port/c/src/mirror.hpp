@@ -1,116 +1,56 @@
-// The library's types, in the memory of those of C.
+// What functions of C make of their parameters.
 //
 // A type of C has the size and the alignment of the one that it stands for.
-// Members that a program may touch lie at the same places: each source says so
-// of its own types. Types of C may alias any other.
+// Members lie at the same places: status.cpp says so. It may alias any other.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "inkcell/c/draw.h"
-#include "inkcell/c/types.h"
-#include "inkcell/geometry.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
-
-/// The member `c_member` of the type `C` is `cpp_member` of what it stands for.
-#define INKCELL_SAME_PLACE(C, c_member, cpp_member)                         \
-  static_assert(offsetof(C, c_member) ==                                    \
-                        offsetof(inkcell::c::CppOf<C>::Type, cpp_member) && \
-                    sizeof(C::c_member) ==                                  \
-                        sizeof(inkcell::c::CppOf<C>::Type::cpp_member),     \
-                "members differ")
-
-/// A constant of C has the value of an enumerator.
-#define INKCELL_SAME_VALUE(constant, enumerator)                            \
-  static_assert(static_cast<int>(constant) == static_cast<int>(enumerator), \
-                "values differ")
+#include "twins.hpp"
 
 namespace inkcell {
 namespace c {
 
-/// What a type of C stands for: `Type`.
 template <typename C>
-struct CppOf;
-template <>
-struct CppOf<inkcell_rect_t> {
-  using Type = Rect;
+struct CppOf<const C> {
+  using Type = const typename CppOf<C>::Type;
 };
-template <>
-struct CppOf<inkcell_workspace_t> {
-  using Type = Workspace;
-};
-template <>
-struct CppOf<inkcell_font_t> {
-  using Type = Font;
-};
-template <>
-struct CppOf<inkcell_filter_table_t> {
-  using Type = Filter;
-};
-template <>
-struct CppOf<inkcell_style_t> {
-  using Type = Style;
-};
-template <>
-struct CppOf<inkcell_strip_t> {
-  using Type = Strip;
-};
-template <>
-struct CppOf<inkcell_sink_t> {
-  using Type = Sink;
-};
-template <>
-struct CppOf<inkcell_positioned_glyph_t> {
-  using Type = PositionedGlyph;
-};
-template <>
-struct CppOf<inkcell_face_t> {
-  using Type = Face;
-};
-
-template <typename C>
-constexpr bool is_alike() noexcept {
-  using Cpp = typename CppOf<C>::Type;
-  return sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp);
-}
 
 /// An object, or the first one of several, as what it stands for.
 template <typename C>
 typename CppOf<C>::Type* cpp(C* object) noexcept {
-  static_assert(is_alike<C>(), "sizes differ");
-  return reinterpret_cast<typename CppOf<C>::Type*>(object);
+  using Cpp = typename CppOf<C>::Type;
+  static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp),
+                "sizes differ");
+  return reinterpret_cast<Cpp*>(object);
 }
 template <typename C>
-const typename CppOf<C>::Type* cpp(const C* object) noexcept {
-  static_assert(is_alike<C>(), "sizes differ");
-  return reinterpret_cast<const typename CppOf<C>::Type*>(object);
+typename CppOf<C>::Type& ref(C* object) noexcept {
+  return *cpp(object);
 }
 
-/// Memory of C: `new (place(out)) Filter(make_filter(spec))` makes a filter
+/// Memory of C: `new (into(out)) Filter(make_filter(spec))` makes a filter
 /// there, and no copy on the stack.
 struct Place {
   void* memory;
 };
 template <typename C>
-Place place(C* object) noexcept {
-  static_assert(is_alike<C>(), "sizes differ");
-  return {object};
-}
-
-inline const Filter& filter_of(const inkcell_filter_t* filter) noexcept {
-  return *static_cast<const Filter*>(filter->table);
+Place into(C* object) noexcept {
+  return {cpp(object)};
 }
 
 /// Words that an object of C has for one of C++.
 template <typename Cpp, size_t kWords>
-Place memory(const void* (&words)[kWords]) noexcept {
+Place into_words(const void* (&words)[kWords]) noexcept {
   static_assert(
       sizeof(Cpp) <= sizeof(words) && alignof(Cpp) <= alignof(const void*),
       "too few words");
   return {words};
+}
+
+inline const Filter& filter_of(const inkcell_filter_t* filter) noexcept {
+  return *static_cast<const Filter*>(filter->table);
 }
 
 inline inkcell_status_t code(Status status) noexcept {
@@ -127,6 +67,82 @@ inline Point point_of(int32_t x_q6, int32_t y_q6) noexcept {
 
 inline Workspace workspace_of(const inkcell_workspace_t* ram) noexcept {
   return ram == nullptr ? Workspace() : *cpp(ram);
+}
+
+static_assert(INKCELL_MAX_SPAN == kMaxSpan, "values differ");
+
+/// Options that are 0 have their default.
+template <typename T>
+T value_or(T value, T otherwise) noexcept {
+  return value == 0 ? otherwise : value;
+}
+
+/// A style if its stretches are in range, else one that draws nothing.
+template <typename... What>
+static inkcell_status_t make_style(inkcell_style_t* out,
+                                   bool is_allowed,
+                                   const What&... what) noexcept {
+  if (!is_allowed) {
+    *out = {};
+    return INKCELL_BAD_ARGUMENT;
+  }
+  *cpp(out) = Style(what...);
+  return INKCELL_OK;
+}
+
+inline bool is_size(int32_t size_q6) noexcept {
+  return size_q6 >= kMinSize.raw && size_q6 <= kMaxSize.raw;
+}
+
+/// Whether the length is 1 within 1/1000.
+inline bool is_unit(int64_t cosine_q30, int64_t sine_q30) noexcept {
+  constexpr int64_t kOne = int64_t{1} << 30;
+  cosine_q30 >>= 1;
+  sine_q30 >>= 1;
+  const int64_t squared = (cosine_q30 * cosine_q30 + sine_q30 * sine_q30) >> 28;
+  return squared >= kOne - kOne / 500 && squared <= kOne + kOne / 500;
+}
+
+/// A function of C as one of C++, which takes strips by reference.
+template <void (*inkcell_strip_loop_t::*kCall)(void*, const inkcell_strip_t*)>
+void call(void* context, const Strip& strip) noexcept {
+  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(context);
+  (loop.*kCall)(loop.context, reinterpret_cast<const inkcell_strip_t*>(&strip));
+}
+
+/// Whether the colour of a target is in range.
+template <typename Target>
+bool has_colour(const Target&) noexcept {
+  return true;
+}
+inline bool has_colour(const inkcell_grey4_target_t& target) noexcept {
+  return target.level <= 15;
+}
+inline bool has_colour(const inkcell_grey2_target_t& target) noexcept {
+  return target.level <= 3;
+}
+inline bool has_colour(const inkcell_mono_rows_target_t& target) noexcept {
+  return target.threshold != 0 && target.level <= 1;
+}
+inline bool has_colour(const inkcell_mono_pages_target_t& target) noexcept {
+  return target.threshold != 0 && target.level <= 1;
+}
+
+/// The sink of a target; one that takes nothing if that is wrong.
+template <typename Target>
+static Status make_sink(Target* target, inkcell_sink_t* out) noexcept {
+  using Pixels = typename CppOf<Target>::Type;
+  Pixels& pixels = *cpp(target);
+  *cpp(out) = Sink();
+  if (!has_colour(*target)) {
+    return Status::bad_argument;
+  }
+  const Status status =
+      port::detail::check_layout(pixels.strip, Pixels::kKind.layout);
+  return status != Status::ok
+             ? status
+             : port::detail::open_sink(pixels.strip, Pixels::kKind, target,
+                                       *cpp(out));
 }
 
 }  // namespace c

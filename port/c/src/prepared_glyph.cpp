@@ -1,19 +1,9 @@
-// Glyphs that are decoded once: of draw.h.
-#include "inkcell/prepared_glyph.hpp"
-
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::cpp;
-
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_prepared_glyph_t> {
-  using Type = PreparedGlyph;
-};
-}  // namespace c
-}  // namespace inkcell
+using namespace inkcell::c;
 
 inkcell_status_t inkcell_prepared_glyph_make(const inkcell_font_t* font,
                                              uint16_t glyph,
@@ -22,18 +12,17 @@ inkcell_status_t inkcell_prepared_glyph_make(const inkcell_font_t* font,
                                              int32_t y_q6,
                                              const inkcell_workspace_t* ram,
                                              inkcell_prepared_glyph_t* out) {
-  *cpp(out) = PreparedGlyph();
-  return c::code(PreparedGlyph::make(*cpp(font), glyph, *cpp(style),
-                                     c::point_of(x_q6, y_q6), *cpp(ram),
-                                     *cpp(out)));
+  ref(out) = PreparedGlyph();
+  return code(PreparedGlyph::make(ref(font), glyph, ref(style), point_of(x_q6,
+      y_q6), *cpp(ram), ref(out)));
 }
 
 void inkcell_prepared_glyph_box(const inkcell_prepared_glyph_t* prepared,
                                 inkcell_rect_t* out) {
-  *cpp(out) = cpp(prepared)->box();
+  ref(out) = ref(prepared).box();
 }
 
 void inkcell_prepared_glyph_draw(const inkcell_prepared_glyph_t* prepared,
                                  const inkcell_sink_t* sink) {
-  cpp(prepared)->draw(*cpp(sink));
+  ref(prepared).draw(ref(sink));
 }

@@ -1,39 +1,9 @@
-// Lines that were shaped when the program was built.
-#include "inkcell/c/shaped_run.h"
-
-#include "inkcell/painter.hpp"
-#include "inkcell/shaped_run.hpp"
+// clang-format off
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #include "mirror.hpp"
 
 using namespace inkcell;
-using c::code;
-using c::cpp;
-using c::point_of;
-using c::workspace_of;
-
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_text_measure_t> {
-  using Type = TextMeasure;
-};
-template <>
-struct CppOf<inkcell_shaped_glyph_t> {
-  using Type = ShapedGlyph;
-};
-template <>
-struct CppOf<inkcell_shaped_run_t> {
-  using Type = ShapedRun;
-};
-}  // namespace c
-}  // namespace inkcell
-
-INKCELL_SAME_PLACE(inkcell_shaped_glyph_t, glyph, glyph);
-INKCELL_SAME_PLACE(inkcell_shaped_glyph_t, x, x);
-INKCELL_SAME_PLACE(inkcell_shaped_glyph_t, y, y);
-INKCELL_SAME_PLACE(inkcell_shaped_run_t, glyphs, glyphs.data);
-INKCELL_SAME_PLACE(inkcell_shaped_run_t, count, glyphs.size);
-INKCELL_SAME_PLACE(inkcell_shaped_run_t, advance, advance);
+using namespace inkcell::c;
 
 inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
                                         const inkcell_shaped_run_t* run,
@@ -43,9 +13,9 @@ inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
                                         size_t* count) {
   Span<const PositionedGlyph> glyphs;
   const Span<PositionedGlyph> room = {cpp(out), capacity};
-  const Status status = style == nullptr ? lay_out(*cpp(run), room, glyphs)
-                                         : lay_out(*cpp(font), *cpp(run),
-                                                   *cpp(style), room, glyphs);
+  const Status status = style == nullptr ? lay_out(ref(run), room, glyphs)
+                                         : lay_out(ref(font), ref(run),
+      ref(style), room, glyphs);
   *count = glyphs.size;
   return code(status);
 }
@@ -54,8 +24,8 @@ void inkcell_measure_shaped(const inkcell_font_t* font,
                             const inkcell_shaped_run_t* run,
                             const inkcell_style_t* style,
                             inkcell_text_measure_t* out) {
-  *cpp(out) = style == nullptr ? measure(*cpp(font), *cpp(run))
-                               : measure(*cpp(font), *cpp(run), *cpp(style));
+  ref(out) = style == nullptr ? measure(ref(font), ref(run)) :
+      measure(ref(font), ref(run), ref(style));
 }
 
 void inkcell_draw_shaped(const inkcell_font_t* font,
@@ -65,6 +35,6 @@ void inkcell_draw_shaped(const inkcell_font_t* font,
                          int32_t y_q6,
                          const inkcell_sink_t* sink,
                          const inkcell_workspace_t* ram) {
-  Painter(*cpp(sink), workspace_of(ram))
-      .text(*cpp(font), *cpp(style), point_of(x_q6, y_q6), *cpp(run));
+  Painter(ref(sink), workspace_of(ram)).text(ref(font), ref(style),
+      point_of(x_q6, y_q6), ref(run));
 }

@@ -14,6 +14,8 @@
 // - Pointers must not be null, unless the function's comment allows it.
 // - Numbers with a suffix such as _q6 are fixed-point: the value times 2^6.
 // - Fonts are constant: any number of tasks may draw from one at once.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/cache.h"

@@ -3,6 +3,8 @@
 //   static uint64_t ram[256];  // ten digits of 32 px
 //   inkcell_glyph_cache_t cache;
 //   inkcell_glyph_cache_make(ram, sizeof ram, NULL, &cache);
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/draw.h"

@@ -4,6 +4,8 @@
 // px, y down. Text is UTF-8, any bytes; a size of INKCELL_TERMINATED: up to its
 // zero byte. `ram` may be null: drawing then takes 1.6 KB of stack. Drawing
 // clips to the sink's window and cannot fail.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/font.h"
@@ -92,8 +94,8 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        inkcell_rect_t* out);
 
 /// Positions of all glyphs of one line, into `out`, which has room for
-/// `capacity`; as many as the text has bytes always suffice. `count` glyphs
-/// are there. With `style`, which may be null: with its advances.
+/// `capacity`; as many as the text has bytes always suffice. `count` glyphs are
+/// there. With `style`, which may be null: with its advances.
 ///
 /// BUFFER_SMALL: more than `capacity`; BAD_ARGUMENT: the text is longer than
 /// 65,535 bytes. `count` is then 0.

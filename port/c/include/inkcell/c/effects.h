@@ -5,6 +5,8 @@
 // prepare it in `effect`, so that options are in RAM; call them again after a
 // change. The linker drops the effects that a program does not name. Shadows
 // and glows are filters: filter.h.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/filter.h"

@@ -2,6 +2,8 @@
 //
 // A program links what paints the filters that it names: a run-time filter
 // needs all painters of distances, a preset its own.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/font.h"

@@ -6,6 +6,8 @@
 //
 //   extern const uint8_t dejavu_sans[];
 //   extern const uint32_t dejavu_sans_size;
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/types.h"

@@ -1,5 +1,7 @@
 // How text is set, and its lines, as in inkcell/layout/layout.hpp. text_box.h
 // draws whole boxes; lines are for layouts of your own.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/draw.h"

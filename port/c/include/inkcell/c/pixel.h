@@ -11,6 +11,8 @@
 //   MISALIGNED    only xrgb8888: pixels or stride not a multiple of 4 bytes
 //
 // A sink touches no pixel outside its strip, and none of coverage 0.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/sink.h"

@@ -1,6 +1,8 @@
 // Lines that were shaped when the program was built, as in
 // inkcell/shaped_run.hpp. `inkcell-fontgen --strings` makes them, in ROM beside
 // their font; docs/STRINGS.md says how.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/draw.h"

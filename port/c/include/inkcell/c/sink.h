@@ -1,5 +1,7 @@
 // Where pixels go, as in inkcell/strip.hpp: strips, sinks, and the loop over a
 // screen. pixel.h has sinks for the usual pixel formats.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/types.h"

@@ -1,4 +1,6 @@
 // Styles and grid fitting, as in inkcell/style.hpp and inkcell/fit.hpp.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/filter.h"

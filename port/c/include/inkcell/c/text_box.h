@@ -6,6 +6,8 @@
 // in many strips, find them once with inkcell_text_box_lay_out(), and hand them
 // to the others as `lines` and `line_count`: lines of the same text, layout and
 // width. Else `lines` is null.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include "inkcell/c/layout.h"

@@ -1,17 +1,19 @@
 // What all headers of the C interface share: status, fixed point, rectangles.
+//
+// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/// The library, which is C++, has other names for the types that it shares with
-/// C: compilers must not assume that they are different memory.
-#define INKCELL_SHARED __attribute__((may_alias))
-
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/// The library, which is C++, has other names for the types that it shares with
+/// C: compilers must not assume that they are different memory.
+#define INKCELL_SHARED __attribute__((may_alias))
 
 /// Why a call failed. Values never change: they end up in field logs.
 typedef uint8_t inkcell_status_t;

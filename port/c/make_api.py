@@ -1,0 +1,223 @@
+"""Makes headers and sources of the interface for C from its table, api.txt.
+
+Usage: make_api.py [FOLDER]
+
+Writes include/ and src/ of FOLDER, by default of the one that this file is in.
+"""
+import fnmatch
+import pathlib
+import re
+import sys
+import textwrap
+
+HERE = pathlib.Path(__file__).resolve().parent
+WIDTH = 80
+MADE = "// Made by port/c/make_api.py from port/c/api.txt: edit that instead.\n"
+SOURCE = f"""// clang-format off
+{MADE}#include "mirror.hpp"
+
+using namespace inkcell;
+using namespace inkcell::c;
+"""
+# Some types have private members: only GCC and Clang know the places of others.
+CHECKS = '\n#pragma GCC diagnostic ignored "-Winvalid-offsetof"\n'
+TWINS = "// What types of C stand for.\n" + MADE + "#pragma once\n\n"
+FUNCTION = r"(\w[\w ]*\*? )(inkcell_[\w{}]+)\(([^()]*)\)(?: = (.*))?"
+
+
+def joined(head, tail):
+    """A line and indented ones, the former up to the end of what it begins."""
+    while tail and (tail[0].startswith("    = ") or len(
+            re.findall(r"[({]", head)) > len(re.findall(r"[)}]", head))):
+        head, tail = head + " " + tail[0].strip(), tail[1:]
+    return head.replace("( ", "("), tail
+
+
+def signature(result, name, parameters, end):
+    """A declaration as clang-format lays it out."""
+    begin = f"{result}{name}("
+    for first, between in ((begin, ", "),
+                           (begin, ",\n" + " " * len(begin)),
+                           (begin + "\n    ", ", "),
+                           (begin + "\n    ", ",\n    ")):
+        text = first + between.join(parameters) + ")" + end
+        if max(map(len, text.split("\n"))) <= WIDTH:
+            break
+    return text + "\n"
+
+
+def wrapped(line, indent):
+    """A line, in pieces if it is too long."""
+    return "\n".join(textwrap.wrap(line, WIDTH, subsequent_indent=indent,
+                                   break_long_words=False,
+                                   break_on_hyphens=False)) + "\n"
+
+
+def filled(text):
+    """Text in which paragraphs of comments are as wide as a source."""
+    return re.sub(r"(?m)^(///?) (?! |- ).*\n(?:\1 (?! |- ).*\n)*",
+                  lambda m: wrapped(m[0].replace(f"\n{m[1]}", ""), f"{m[1]} "),
+                  text)
+
+
+class Api:
+    """What has been made of the table so far."""
+
+    def __init__(self):
+        self.headers = {}     # by their names: includes, and the rest
+        self.sources = {}
+        self.includes = []    # of C++
+        self.twins = ""       # what types of C stand for
+        self.checks = ""      # that they are alike, and constants equal
+        self.parameters = []  # patterns of names, and their types
+        self.words = []       # patterns of $words, and what they stand for
+        self.each = ["{}"]
+
+    def declare(self, text):
+        self.headers[self.header][1] += text
+
+    def define(self, text):
+        self.sources.setdefault(self.source, SOURCE)
+        self.sources[self.source] += "\n" + text
+
+    def read(self, head, tail):
+        word, _, rest = head.partition(" ")
+        function = re.fullmatch(FUNCTION, joined(head, tail)[0])
+        if word in ("parameters", "words"):
+            for line in tail:
+                value, names = line.strip().split(": ")
+                getattr(self, word).extend((name, value)
+                                           for name in names.split())
+        elif word == "header":
+            self.begin_header(rest + "".join(tail))
+        elif word == "in":
+            self.source = rest
+        elif word == "each":
+            self.each = rest.split()
+        elif word in ("struct", "shared", "opaque"):
+            self.read_type(word, *joined(rest, tail))
+        elif word == "enum":
+            self.read_enum(*joined(rest, tail))
+        elif word == "extern":
+            text, value = rest.split(" = ")
+            self.declare(f"extern {text};\n")
+            self.define(f"{text} = {value};\n")
+        elif function:
+            for name in self.each:
+                self.read_function(*(part and part.replace("{}", name)
+                                     for part in function.groups()),
+                                   joined(head, tail)[1])
+            self.each = ["{}"]
+        elif self.headers:
+            self.declare("\n".join([head, *tail]) + "\n")
+
+    def begin_header(self, text):
+        self.header, c, cpp = re.fullmatch(r"(\S+): (.*?); *(.*)",
+                                           text).groups()
+        self.source = pathlib.Path(self.header).stem + ".cpp"
+        self.headers[self.header] = ["".join(
+            f"#include <{name}>\n" if name.startswith("std")
+            else f'#include "inkcell/{name}"\n' for name in c.split()), ""]
+        self.includes += cpp.split()
+
+    def read_type(self, word, head, members):
+        name, cpp, others, short = re.fullmatch(
+            r"(\w+)(?: = ([\w:]+))?(?: \((.*)\))?(?: \{ (.*) \})?",
+            head).groups()
+        members = ("  " + short.replace("; ", ";\n  ") if short
+                   else "\n".join(members))
+        kind = "struct" if word == "struct" else "struct INKCELL_SHARED"
+        self.declare(f"typedef {kind} {name} {{\n{members}\n}} {name};\n")
+        if cpp:
+            self.twins += (f"template <>\nstruct CppOf<{name}> {{\n"
+                           f"  using Type = {cpp};\n}};\n")
+        if cpp and word == "shared":
+            twins = dict(re.findall(r"(\w+): ([\w.]+)", others or ""))
+            for member in re.findall(
+                    r"(?m)^  \w[^/(;\n]*?\(?\*?(\w+)(?:;|\)\()", members):
+                twin = twins.get(member, member.removesuffix("_q6"))
+                self.checks += wrapped(
+                    f"static_assert(offsetof({name}, {member}) == "
+                    f"offsetof({cpp}, {twin}) && sizeof({name}::{member}) == "
+                    f"sizeof({cpp}::{twin}));", "    ")
+
+    def read_enum(self, head, constants):
+        cpp, prefix, short = re.fullmatch(r"([\w:]+) ?(\w*)(?: \{ (.*) \})?",
+                                          head).groups()
+        text = f"enum {{ {short} }};\n"
+        if not short or len(text) > WIDTH + 1:
+            text = "\n".join(["enum {", *(constants or textwrap.indent(
+                short.replace(", ", ",\n"), "  ").split("\n")), "};\n"])
+        self.declare(text)
+        for name in re.findall(r"INKCELL_(\w+) =", text):
+            twin = name.removeprefix(prefix).lower()
+            self.checks += wrapped(
+                f"static_assert(static_cast<int>(INKCELL_{name}) == "
+                f"static_cast<int>({cpp}::{twin}));", "    ")
+
+    def parameter(self, text):
+        if " " in text:
+            return text
+        for pattern, kind in self.parameters:
+            if fnmatch.fnmatch(text, pattern):
+                return f"{kind} {text}"
+        if f"inkcell_{text}_t>" in self.twins:
+            return f"const inkcell_{text}_t* {text}"
+        sys.exit(f"api.txt: the parameter {text} has no type: write it, or add "
+                 "the name to `parameters`")
+
+    def in_cpp(self, match):
+        """What a $word stands for."""
+        return next(value.replace("*", match[1]) for name, value in self.words
+                    if fnmatch.fnmatch(match[1], name))
+
+    def read_function(self, result, name, parameters, expression, body):
+        listed = [self.parameter(text) for text in parameters.split(", ")]
+        self.declare(signature(result, name, listed, ";"))
+        if expression:
+            begin, end = {"void ": ("", ""), "inkcell_status_t ": (
+                "return code(", ")")}.get(result, ("return ", ""))
+            if result == "void " and listed[-1].endswith("* out"):
+                begin = "$out = "
+            body = [f"  {begin}{expression}{end};"]
+        text = "".join(wrapped(re.sub(r"\$(\w+)", self.in_cpp, line), "      ")
+                       for line in body)
+        self.define(f"{signature(result, name, listed, ' {')}{text}}}\n")
+
+    def header_text(self, includes, text):
+        comment, _, rest = text.partition("\n\n")
+        comment = filled(comment.strip() + "\n")
+        begin = f"{comment}//\n{MADE}#pragma once\n\n{includes}"
+        return begin if not rest else (
+            f'{begin}\n#ifdef __cplusplus\nextern "C" {{\n#endif\n\n'
+            f"{filled(rest)}#ifdef __cplusplus\n}}\n#endif\n")
+
+    def files(self):
+        """The text of each file."""
+        includes = "".join(f'#include "{name}"\n' for name in
+                           sorted(["inkcell/inkcell.h", *self.includes]))
+        return {**{f"include/inkcell/{name}": self.header_text(*header)
+                   for name, header in self.headers.items()},
+                **{f"src/{name}": text for name, text in self.sources.items()},
+                "src/status.cpp":
+                    self.sources["status.cpp"] + CHECKS + self.checks,
+                "src/twins.hpp":
+                    f"{TWINS}{includes}\nnamespace inkcell {{\nnamespace c {{\n"
+                    "\n/// What a type of C stands for: `Type`.\n"
+                    f"template <typename C>\nstruct CppOf;\n{self.twins}\n"
+                    "}  // namespace c\n}  // namespace inkcell\n"}
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE)
+    api = Api()
+    # Lines that are indented belong to the one before them.
+    for head, tail in re.findall(r"(?m)^(|[^# ].*|#\w.*)\n((?: .*\n)*)",
+                                 (HERE / "api.txt").read_text()):
+        api.read(head, tail.splitlines())
+    for name, text in api.files().items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+main()
