@@ -1,4 +1,5 @@
-"""Links the examples of the C interface with a C compiler, and nothing of C++.
+"""Compares the C interface with its table, and links its examples with a C
+compiler, and nothing of C++.
 
 A program of C needs no C++ library: without any library but stand-ins for what
 memory moves need, nothing is missing. It has what it calls and nothing else.
@@ -15,8 +16,11 @@ import sys
 from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, ROOT, c_compiler,
                         compile_object, finish, in_parallel, require, run)
 
-HEADERS = ROOT / "port/c/include/inkcell/c"
-EXAMPLES = ROOT / "port/c/examples"
+PORT = ROOT / "port/c"
+HEADERS = PORT / "include/inkcell/c"
+EXAMPLES = PORT / "examples"
+# What the table does not make.
+BY_HAND = {"src/mirror.hpp"}
 LIBRARIES = ["port/c/libinkcell_port_c.a", "port/pixel/libinkcell_port_pixel.a",
              "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
              "core/field/libinkcell_field.a",
@@ -75,6 +79,29 @@ WITHOUT = {
 }
 WITH = {"label": "MonoPages", "clock": "GlyphStore", "paragraph": "TextBox::",
         "plot": "draw_text"}
+
+
+def files_of(folder):
+    return {str(path.relative_to(folder)): path.read_text()
+            for part in ("include", "src")
+            for path in (folder / part).rglob("*.*") if path.is_file()}
+
+
+def check_table(work):
+    """Headers and sources are what the table makes, and there are no others."""
+    folder = work / "made"
+    made = run([sys.executable, "-B", PORT / "make_api.py", folder])
+    if made.returncode != 0:
+        return [made.stdout]
+    wanted, there = files_of(folder), files_of(PORT)
+    if not wanted:
+        return ["port/c/make_api.py makes no files"]
+    return ([f"port/c/{name} is not what port/c/api.txt makes: change the "
+             "table and run python3 port/c/make_api.py"
+             for name in sorted(wanted) if there.get(name) != wanted[name]] +
+            [f"port/c/{name} is not in port/c/api.txt: remove the file, or add "
+             "it to BY_HAND of check_c.py"
+             for name in sorted(there.keys() - wanted.keys() - BY_HAND)])
 
 
 def declared():
@@ -168,7 +195,8 @@ def main():
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     require(["gcc", "nm", COMPILERS["Cortex-M0"][0][0]])
-    problems = check_functions(build / LIBRARIES[0])
+    problems = check_table(work)
+    problems += check_functions(build / LIBRARIES[0])
     all_names = "".join(run(["nm", "-C", "--defined-only", build / name]).stdout
                         for name in LIBRARIES)
     problems += [f"{name} is nowhere: the test looks for nothing"
@@ -177,7 +205,7 @@ def main():
     for example in CALLS:
         problems += link(example, work, build)
     problems += print_sizes(work)
-    finish(len(CALLS) + 1, problems)
+    finish(len(CALLS) + 2, problems)
 
 
 main()
