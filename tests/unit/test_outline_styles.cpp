@@ -137,7 +137,7 @@ void check_same() {
 void check_strips(const Font& font, uint16_t glyph, const Style& style) {
   draw(font, glyph, style, canvas);
   constexpr int32_t kRows[] = {1, 3, 16};
-  constexpr size_t kBytes[] = {0, 928, 2560};
+  constexpr size_t kBytes[] = {0, 900, 2560};
   for (const int32_t rows : kRows) {
     for (const size_t bytes : kBytes) {
       other.clear();
