@@ -97,7 +97,7 @@ Style make_style(double px, double angle, const Filter& filter) {
     text << px << " px: sizes go from 4 to 1024 px";
     throw std::runtime_error(text.str());
   }
-  if (!std::isfinite(angle)) {
+  if (!std::isfinite(angle * kPi)) {
     throw std::runtime_error("the angle is not a number of degrees");
   }
   return Style(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
