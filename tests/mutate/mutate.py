@@ -34,6 +34,7 @@ TESTS = {
     "core/src/base/bit_table.cpp": ("bit_table", "font"),
     "core/src/sink/emit.cpp": ("outline_draw", "outline_styles"),
     "core/src/text/text.cpp": ("text", "layout"),
+    "core/src/text/painter.cpp": ("painter", "text"),
     "core/src/font/font.cpp": ("font", "font_limits"),
     "core/src/font/grid_hints.cpp": ("grid_hints", "fit"),
     "core/src/place/style.cpp": ("style", "affine", "render"),
@@ -43,11 +44,14 @@ TESTS = {
     "core/field/src/field_sampler.cpp": ("field", "field_point"),
     "core/src/outlines/outline_reader.cpp": ("outline_reader",
                                              "outline_draw"),
+    "core/src/rows/area_painter.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/crossings.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/cover_areas.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/cover_distances.cpp": ("outline_draw", "outline_styles"),
+    "core/src/rows/draw_bands.cpp": ("outline_draw", "outline_styles"),
     "core/src/rows/edge_rows.cpp": ("outline_draw", "outline_errors"),
     "core/src/effects/lcd.cpp": ("outline_styles", "lcd"),
+    "core/src/effects/stroke.cpp": ("effects", "outline_styles"),
 }
 # A test may take this many times what it takes for the source, and a second.
 PATIENCE = 10

@@ -127,7 +127,7 @@ TEST(levels_out_of_range_are_clamped) {
   Grey2Canvas grey2({{bytes, 1}, 0, 0, 1, 1, 1}, 4);
   grey2.fill();
   CHECK_EQ(bytes[0], 0xcf);
-  // Of no coverage nothing is drawn, whatever the threshold.
+  // No coverage draws nothing, whatever the threshold.
   const uint8_t nothing[1] = {0};
   MonoRowsCanvas rows({{bytes, 1}, 0, 0, 1, 1, 1}, 2);
   rows.set_threshold(0);

@@ -61,10 +61,10 @@ class __attribute__((may_alias)) GlyphStore {
   // `kept`. False: there is no other.
   bool evict(uint32_t kept) noexcept;
 
-  // Of all data, and where that ends.
+  // Where all data begins and ends.
   uint8_t* data() const noexcept { return data_; }
   uint8_t* data_end() const noexcept { return data_ + data_size_; }
-  // Of an entry.
+  // Where the data of an entry begins.
   const uint8_t* begin_of(const CachedGlyph& glyph) const noexcept {
     return data_ + glyph.begin;
   }

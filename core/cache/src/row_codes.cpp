@@ -12,7 +12,7 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Of a pair.
+// What a pair holds.
 constexpr uint32_t kEmpty = 0;
 constexpr uint32_t kSolid = 1;
 constexpr uint32_t kMixed = 2;

@@ -125,7 +125,7 @@ class PixelSamples {
 
 __attribute__((noinline)) int32_t PixelSamples::even() noexcept {
   const Filter& edge = options_.edge;
-  // Of a saturated cell no more is known than that its own points are far.
+  // A saturated cell tells no more than that its own points are far.
   if ((centre_q10_ <= edge.outside_q10 || centre_q10_ >= edge.inside_q10) &&
       sampler_.leaf().samples != nullptr) {
     return edge_coverage(edge, centre_q10_);

@@ -51,7 +51,7 @@ class FieldRows {
   // From a sample to the next one.
   const GlyphStep& right() const noexcept { return right_; }
   const GlyphStep& up() const noexcept { return up_; }
-  // Of what may show, from the origin, y up. [u]
+  // The box of what may show, from the origin, y up. [u]
   const Rect& limits() const noexcept { return limits_; }
 
  private:

@@ -9,7 +9,7 @@
 //   0 +--o--+--o--+
 //     0  1  2  3  4
 //
-// Of the outline only those edges are looked at that may be the nearest ones
+// Only those edges of the outline are looked at that may be the nearest ones
 // within the square, see Polyline::keep.
 //
 // In the buffer nodes grow upwards behind the tiles, and cells downwards from
@@ -50,10 +50,10 @@ constexpr int32_t kGridLimit = 15000;
 // The em box. [u]
 constexpr Rect kEmBox = {0, -768, 1024, 256};  // y down
 
-// Of a distance beyond the band: the part by which it may differ.
+// The part by which a distance beyond the band may differ.
 constexpr int32_t kFarPartLog2 = 6;
 
-// Of the edges' coordinates and of distances.
+// What the rounding of edges' coordinates and of distances may add.
 constexpr int32_t kRounded = 2;
 
 // Chords are no better than this. [u, Q8]

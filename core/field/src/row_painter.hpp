@@ -245,7 +245,7 @@ struct FieldRow {
                 0);
       return;
     }
-    // Of a step, in the width of the leaf.
+    // A step, in widths of the leaf.
     const auto step_q14 = static_cast<int32_t>(
         min(static_cast<int32_t>(step >> (log2 + 2)), 1 << 14));
     // With six bits more, which 16 steps need.

@@ -79,7 +79,7 @@ Block::Block(const Splat& splat, const FieldJob& job) noexcept
       placed_(job.placed) {
   const auto size_q6 = static_cast<uint32_t>(style_.size().raw);
   const auto radius_q10 = static_cast<uint32_t>(options_.radius_q10);
-  // Of 1 u or of at most a quarter of a px.
+  // 1 u, or at most a quarter of a px.
   while ((size_q6 << (least_log2_ + 1)) <= 256 << 6) {
     ++least_log2_;
   }

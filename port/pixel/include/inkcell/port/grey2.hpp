@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "inkcell/port/canvas.hpp"
+#include "inkcell/port/level_canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
@@ -19,31 +19,10 @@ struct Grey2Pixels {
 };
 }  // namespace detail
 
-/// Blends in 4 levels. Levels over 3 are clamped.
-class Grey2Canvas : public Canvas<detail::Grey2Pixels> {
+/// Blends in 4 levels, 0 to 3.
+class Grey2Canvas : public detail::LevelCanvas<detail::Grey2Pixels, 3> {
  public:
-  static constexpr uint8_t kMaxLevel = 3;
-
-  explicit Grey2Canvas(const Strip& strip = {},
-                       uint8_t level = kMaxLevel,
-                       BitOrder order = BitOrder::high_left) noexcept
-      : Canvas(strip, clamped(level), order) {}
-  Grey2Canvas(const Strip& strip,
-              uint8_t level,
-              uint8_t background,
-              BitOrder order = BitOrder::high_left) noexcept
-      : Grey2Canvas(strip, background, order) {
-    fill();
-    set_level(level);
-  }
-
-  /// The level of the foreground.
-  void set_level(uint8_t level) noexcept { pixels_.level = clamped(level); }
-
- private:
-  static constexpr uint8_t clamped(uint8_t level) noexcept {
-    return level < kMaxLevel ? level : kMaxLevel;
-  }
+  using LevelCanvas::LevelCanvas;
 };
 
 }  // namespace port

@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "inkcell/port/canvas.hpp"
+#include "inkcell/port/level_canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
@@ -19,31 +19,10 @@ struct Grey4Pixels {
 };
 }  // namespace detail
 
-/// Blends in 16 levels. Levels over 15 are clamped.
-class Grey4Canvas : public Canvas<detail::Grey4Pixels> {
+/// Blends in 16 levels, 0 to 15.
+class Grey4Canvas : public detail::LevelCanvas<detail::Grey4Pixels, 15> {
  public:
-  static constexpr uint8_t kMaxLevel = 15;
-
-  explicit Grey4Canvas(const Strip& strip = {},
-                       uint8_t level = kMaxLevel,
-                       BitOrder order = BitOrder::high_left) noexcept
-      : Canvas(strip, clamped(level), order) {}
-  Grey4Canvas(const Strip& strip,
-              uint8_t level,
-              uint8_t background,
-              BitOrder order = BitOrder::high_left) noexcept
-      : Grey4Canvas(strip, background, order) {
-    fill();
-    set_level(level);
-  }
-
-  /// The level of the foreground.
-  void set_level(uint8_t level) noexcept { pixels_.level = clamped(level); }
-
- private:
-  static constexpr uint8_t clamped(uint8_t level) noexcept {
-    return level < kMaxLevel ? level : kMaxLevel;
-  }
+  using LevelCanvas::LevelCanvas;
 };
 
 }  // namespace port
