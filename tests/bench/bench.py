@@ -58,7 +58,8 @@ CODINGS = {
 ROM_CODINGS = {0: "field", 2: "outline"}
 # Codings that modes, runs of text and digits are measured with.
 STYLED = ("outline", "field")
-LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_cache", "inkcell_port_pixel"),
+LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_field", "inkcell_cache",
+                         "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
     "glyphs": "each engine, coding and size",
@@ -593,8 +594,8 @@ def measure_others(firmware, arguments, upright, pictures):
                                                      "outline"],
                                 kept_bytes, kept_modules)
     if "code" in arguments.what:
-        kept = [kept_bytes(firmware.folder / f"kept_{level}.map")
-                for level in range(len(KEPT))]
+        kept = [kept_bytes(firmware.folder / f"{program}.map")
+                for program in kept_programs(arguments)]
         yield {"figure": "code", "cpu": firmware.cpu, "opt": firmware.opt,
                **{name: sum(level.get((library, "code"), 0)
                             for library in LIBRARIES["inkcell"])
@@ -632,6 +633,12 @@ def measure(firmware, arguments, pictures):
     return glyphs, more
 
 
+def kept_programs(arguments):
+    """Those of kept.cpp: of fields, if nothing else is asked for."""
+    kind = "kept_field" if arguments.coding == ["field"] else "kept"
+    return [f"{kind}_{level}" for level in range(len(KEPT))]
+
+
 def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
@@ -641,7 +648,7 @@ def targets_of(arguments):
     if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")
     if "code" in arguments.what:
-        targets |= {f"kept_{level}" for level in range(len(KEPT))}
+        targets |= set(kept_programs(arguments))
     return sorted(targets)
 
 

@@ -327,7 +327,7 @@ def code_table(results, figures):
                              (r["cpu"], r["opt"]) == (f["cpu"], f["opt"]))
             row.append(f"{own} + {more}")
         rows.append(row)
-    return (f"## Code\n\n{KEPT_TEXT} All codings are in the\nbuild. What the "
+    return (f"## Code\n\n{KEPT_TEXT} Their fonts are of\noutlines. What the "
             "first program needs of libgcc is apart. Of the others, and + what "
             "they need of\nlibgcc and the C library.\n\n" +
             table(["core", *KEPT_HEAD, *ENGINES.values()], rows))

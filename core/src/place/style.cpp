@@ -1,22 +1,14 @@
 // Sizes, directions and matrices as the numbers that drawing needs.
 #include "inkcell/style.hpp"
 
+#include "base/root.hpp"
+
 namespace inkcell {
 namespace {
 
 // The length of a vector, rounded down; components below 2^30.
 int64_t length_of(int64_t x, int64_t y) noexcept {
-  auto rest = static_cast<uint64_t>(x * x + y * y);
-  uint64_t root = 0;
-  for (uint64_t bit = uint64_t{1} << 60; bit != 0; bit >>= 2) {
-    const uint64_t sum = root + bit;
-    root >>= 1;
-    if (rest >= sum) {
-      rest -= sum;
-      root += bit;
-    }
-  }
-  return static_cast<int64_t>(root);
+  return detail::root_of(static_cast<uint64_t>(x * x + y * y));
 }
 
 uint32_t magnitude(int32_t value) noexcept {

@@ -2,12 +2,18 @@
 // opens a font and draws:
 //
 //   INKCELL_KEEP 0   upright glyphs into 8-bit coverage, by distance
-//                1   the same, by exact area; of outlines only
+//                1   the same, by exact area
 //                2   as 0, and lines of text
 //                3   as 2, with any matrix
 //                4   as 3, and by area, into every format
+//
+// INKCELL_KEEP_FIELDS: the font is one of fields, and not of outlines.
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
+
+#if INKCELL_KEEP_FIELDS
+#  include "inkcell/field/draw.hpp"
+#endif
 
 #if INKCELL_KEEP >= 4
 #  include "inkcell/port/grey2.hpp"
@@ -44,6 +50,14 @@ void make_style() {
 }
 #endif
 
+Status open(Font& font) {
+#if INKCELL_KEEP_FIELDS
+  return Font::open({bytes, sizeof bytes}, kFieldCoding, font);
+#else
+  return Font::open({bytes, sizeof bytes}, font);
+#endif
+}
+
 template <typename Canvas>
 Status draw_into(const Font& font) {
   Strip strip;
@@ -64,7 +78,7 @@ int main(int, char**) {
   make_style();
 #endif
   Font font;
-  if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
+  if (open(font) != Status::ok ||
       draw_into<port::A8Canvas>(font) != Status::ok) {
     return 1;
   }
