@@ -87,7 +87,7 @@ MODE_SIZES = ["12", "24"]
 MODE_CPUS = ("m0", "m3")
 ASCII = ("32", "126")
 DIGITS = ("48", "57")
-# Of generated fields. [u, 1/1024 u]
+# Generated fields: half width of the band, tolerances. [u, 1/1024 u]
 BAND = "32"
 TOLERANCES = ("512", "1024", "2048")
 # The trees of fonts: tiles of 256 u.

@@ -29,7 +29,7 @@ LABELS = {
 LABEL = ("Kitchen-21.5", "4", "320", "40", "40")
 DIGIT = ("0", "-60", "320", "480", "16")
 DIGIT_SIZE = "512"
-# Of the digit, beside the strip: no heap, and less than this of stack and
+# The digit takes no heap, and beside the strip less than this of stack and
 # objects. [bytes]
 MOST_DIGIT_RAM = 2048
 # LVGL's own code is that of the library, Inkcell's what it adds.

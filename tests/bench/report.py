@@ -45,12 +45,12 @@ SLANTED = {
     "leaning": ("Leaning by 1/5, which takes a matrix", "upright", ALL),
     "area_turned": ("Turned by 15 degrees, by area", "area", OUTLINES),
 }
-# Of inkcell_outline.cpp, compared with points that are decoded once.
+# Rows of inkcell_outline.cpp, compared with points that are decoded once.
 MEMORY = {
     "strips": "Lent RAM, but points decoded anew for each strip",
     "stack": "No lent RAM: a band on the stack",
 }
-# Of inkcell_cache.cpp: what is held, and a bitmap font of the same pictures.
+# Rows of inkcell_cache.cpp: what is held, and a bitmap font of the pictures.
 CACHE = ("cached", "bitmap")
 # What codings can do; measured figures stand above it.
 ABILITIES = [

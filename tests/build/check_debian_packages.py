@@ -68,7 +68,7 @@ class Packages:
         """These, what they depend on, and a minimal Debian with git."""
         found, waiting = set(), [[name] for name in
                                  [*sorted(self.essential), *packages]]
-        # Of a choice apt-get takes what is there already, or else the first.
+        # From a choice apt-get takes what is there already, or else the first.
         while waiting:
             choice = waiting.pop(0)
             names = [name for word in choice for name in

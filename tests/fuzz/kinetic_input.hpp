@@ -30,7 +30,7 @@ class Choices {
     const uint8_t low = byte();
     return static_cast<uint16_t>(low | byte() << 8);
   }
-  // Of any magnitude: the first byte says how far it is shifted.
+  // Any magnitude: the first byte says how far it is shifted.
   int32_t number() {
     const uint32_t shift = byte() % 32u;
     const uint32_t low = u16();

@@ -29,7 +29,7 @@ COMPILER = [*filter(None, [os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")]),
             f"-I{ROOT}/core/src", f"-I{ROOT}/core/field/include",
             f"-I{ROOT}/core/layout/include",
             f"-I{UNIT}", "-Wall", "-Wextra", "-Werror"]
-# Of each source the unit tests that should notice, the quickest first.
+# For each source the unit tests that should notice, the quickest first.
 TESTS = {
     "core/src/base/bit_table.cpp": ("bit_table", "font"),
     "core/src/sink/emit.cpp": ("outline_draw", "outline_styles"),

@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
   }
   threshold.print("threshold");
   crisp.print("crisp");
-  // Of 94 characters that have ink.
+  // 94 characters have ink.
   constexpr int kLeastPictures = 94 * 7 * 8;
   return crisp.pictures >= kLeastPictures &&
                  crisp.broken * 1000 <= std::atoi(argv[2]) * crisp.pictures

@@ -885,7 +885,7 @@ class Tools(unittest.TestCase):
         seen = json.loads(run("inspect", font, "--glyph", "T", "--json"))
         zones = seen["hints"]["zones"]
         self.assertEqual((zones[0]["flat_u"], zones[0]["side"]), (0, "bottom"))
-        # Of 2048 units; x.5 may go up or down.
+        # An em of 2048 units; x.5 may go up or down.
         cap_height = seen["metrics"]["cap_height"] / 2
         capitals = min((zone["flat_u"] for zone in zones),
                        key=lambda u: abs(u - cap_height))

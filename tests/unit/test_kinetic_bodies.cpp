@@ -62,7 +62,7 @@ void scatter(uint32_t seed, int32_t speed) {
   }
 }
 
-// Of motion, and of height above the floor. [mass px^2 / step^2, Q24]
+// Energy of motion and of height above the floor. [mass px^2 / step^2, Q24]
 int64_t energy(int32_t gravity_q16) {
   int64_t sum = 0;
   for (const Body& body : bodies) {

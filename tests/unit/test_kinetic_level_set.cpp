@@ -44,7 +44,7 @@ int32_t magnitude(int32_t value) {
   return value < 0 ? -value : value;
 }
 
-// Of coverage, where a sample covers its square by a ramp of one side.
+// Difference of coverage, where a sample covers its square by a ramp.
 int32_t difference(const DistanceGrid& a, const DistanceGrid& b) {
   int32_t sum = 0;
   for (int32_t y = 0; y < kSide; ++y) {

@@ -12,7 +12,7 @@ namespace {
 using namespace inkcell;
 using outline_record::OutlinePoint;
 
-// Of 255.
+// [1/255]
 constexpr int32_t kWorstArea = 5;
 constexpr int32_t kWorstDistance = 16;
 constexpr int32_t kWorstWide = 8;

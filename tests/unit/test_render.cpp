@@ -275,7 +275,7 @@ TEST(strips_do_not_change_the_picture) {
 
 namespace {
 
-// Of all that is drawn.
+// The sum of coverage of all that is drawn.
 uint32_t sum_in(const GlyphField& field,
                 const Style& style,
                 const Rect& window) {

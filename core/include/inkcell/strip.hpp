@@ -35,7 +35,7 @@ inline constexpr int32_t kMaxSpan = 32;
 /// Coverage of several rows, as outlines bring it.
 struct CoverageBlock {
   Rect pixels;  // within the sink's window
-  /// Of the first pixel; valid during the call only. The bytes of a row are
+  /// The first pixel's; valid during the call only. The bytes of a row are
   /// followed by up to `stride`, all of which may be read; their addresses are
   /// multiples of 4 where x is.
   const uint8_t* coverage = nullptr;

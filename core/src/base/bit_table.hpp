@@ -47,8 +47,8 @@ struct BitTable {
   /// The number that begins at bit `bit` of row `row`.
   uint32_t get(uint32_t row, uint32_t bit, uint32_t width) const noexcept;
 
-  /// Of the rows begin <= i < end, ascending by the number in their first
-  /// `key_bits` bits: the one where it is `key`, else kAbsent. Binary search.
+  /// The row, begin <= i < end, whose first `key_bits` bits are `key`, else
+  /// kAbsent. Rows ascend by that number: a binary search.
   uint32_t find(uint32_t begin,
                 uint32_t end,
                 uint32_t key_bits,

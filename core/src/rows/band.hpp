@@ -35,7 +35,7 @@ struct Band {
   bool is_whole;     // nothing of the glyph lies above or below
   bool is_mirrored;  // filled areas lie to the right of contours, not the left
 
-  // Of the words that hold pixels of a row. [bytes]
+  // The words that hold pixels of a row. [bytes]
   int32_t row_bytes() const noexcept { return (last_column | 3) + 1; }
   uint8_t* row(int32_t i) const noexcept { return bytes + i * stride; }
 };
@@ -86,7 +86,7 @@ struct OutlineCursor {
   // room for its end. Set by a contour's start. Halves of curves lie before it.
   PixelPoint* edge() noexcept { return points + kEdge; }
 
-  // Of painters that reach far and halve nothing: where the contour began, its
+  // For painters that reach far and halve nothing: where the contour began, its
   // first direction, and that at the edge's beginning; zeros if there is none
   // yet.
   PixelPoint& start() noexcept { return points[0]; }

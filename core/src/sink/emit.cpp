@@ -10,8 +10,8 @@ namespace {
 
 constexpr uint32_t kMixed = 1;
 
-// Of the pixels of a row up to the end of a word: 0 or ~0 if they are all of
-// that and fill the word, else kMixed.
+// What the pixels of a row up to the end of a word are: 0 or ~0 if all are that
+// and fill the word, else kMixed.
 inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
   const uint32_t word = count == 4 ? load_pixels(at) : kMixed;
   return word + 1 > 1 ? kMixed : word;

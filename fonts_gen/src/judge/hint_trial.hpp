@@ -15,7 +15,7 @@ struct Topology {
   int counters = 0;  // enclosed by ink
 };
 
-/// Of the pixels that are more than a third covered.
+/// Counts the pixels that are more than a third covered.
 Topology topology_of(const Canvas& canvas);
 
 /// Draws every glyph of `content` small, with its hints and without some of

@@ -62,7 +62,7 @@ struct FontReport {
   /// What Target::band_px cost, if it was asked for and measured. [bytes]
   std::optional<int64_t> band_bytes;
 
-  /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.
+  /// The same cells as a list of leaves, the paper's form: 15 bytes each.
   size_t leaf_list_bytes() const { return 15 * cells; }
 };
 

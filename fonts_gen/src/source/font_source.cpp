@@ -65,7 +65,7 @@ void warn_of_pictures(const FontFile& file,
 void warn_of_embedding(const FontFile& font, Warnings& warnings) {
   const FT_UShort flags = FT_Get_FSType_Flags(font.ft());
   std::string meaning;
-  // Of several bits in 0 to 3 the least restrictive one holds.
+  // Where several of bits 0 to 3 are set, the least restrictive one holds.
   if ((flags & FT_FSTYPE_EDITABLE_EMBEDDING) != 0) {
     meaning = "editable embedding: may be part of a document that is edited";
   } else if ((flags & FT_FSTYPE_PREVIEW_AND_PRINT_EMBEDDING) != 0) {

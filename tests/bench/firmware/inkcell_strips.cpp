@@ -21,7 +21,7 @@ uint32_t box_pixels(const GlyphMetrics& metrics) {
   return static_cast<uint32_t>(width * rows);
 }
 
-// Of all strips that the glyph takes, in the widest format.
+// Bytes of all strips that the glyph takes, in the widest format.
 int32_t drawn_bytes() {
   const int32_t strips = (bench::height + bench::kRows - 1) / bench::kRows;
   return strips * bench::kRows * kEngineSide * bench::kMaxPixelBytes;

@@ -21,7 +21,7 @@ inline inkcell::Style style(inkcell::kMinSize, inkcell::kFilterText);
 inline inkcell::port::A8Canvas canvas;
 inline inkcell::Sink sink;
 
-// Of the glyph that is drawn next: where it stands, rows, pixels of its ink.
+// The glyph that is drawn next: where it stands, rows, pixels of its ink.
 inline inkcell::Point origin;
 inline int32_t height = 0;
 inline uint32_t box = 0;

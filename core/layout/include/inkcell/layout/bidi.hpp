@@ -56,7 +56,7 @@ class Bidi {
   /// Call it when text was changed in place.
   void forget() noexcept { text_ = nullptr; }
 
-  /// Of the paragraph that was resolved: its bytes, and its direction.
+  /// The paragraph that was resolved: its bytes, and its direction.
   size_t begin() const noexcept { return begin_; }
   size_t end() const noexcept { return end_; }
   uint8_t base_level() const noexcept { return base_level_; }

@@ -42,7 +42,7 @@ typedef struct INKCELL_SHARED inkcell_sink_t {
                    int32_t count);
   /// `count` pixels, any number from 1 on, of full coverage.
   void (*solid)(void* context, int32_t x, int32_t y, int32_t count);
-  /// Of the library's own sinks; null in one of yours.
+  /// For the library's own sinks; null in one of yours.
   void (*block)(void);
   /// Like `coverage` with three coverages a pixel: red, green and blue. Null:
   /// sub-pixels are drawn grey.
