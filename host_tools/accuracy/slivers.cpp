@@ -58,8 +58,8 @@ class Links {
     }
   }
 
-  // Marks the pieces of all slivers of a kind.
-  void mark(Kind kind, std::vector<bool>& is_sliver) const {
+  // Counts the pieces of all slivers of a kind.
+  void count(Kind kind, std::vector<uint8_t>& slivers) const {
     std::vector<bool> is_done(border_.size());
     for (size_t first = 0; first < border_.size(); ++first) {
       if (is_done[first]) {
@@ -74,7 +74,7 @@ class Links {
       } while (at < border_.size() && !is_done[at]);
       if (at == first && is_thin(kind, loop)) {
         for (const size_t piece : loop) {
-          is_sliver[piece] = true;
+          ++slivers[piece];
         }
       }
     }
@@ -123,12 +123,12 @@ class Links {
 
 }  // namespace
 
-std::vector<bool> find_slivers(const std::vector<Chord>& border) {
-  std::vector<bool> is_sliver(border.size());
+std::vector<uint8_t> find_slivers(const std::vector<Chord>& border) {
+  std::vector<uint8_t> slivers(border.size());
   const Links links(border);
-  links.mark(Kind::island, is_sliver);
-  links.mark(Kind::hole, is_sliver);
-  return is_sliver;
+  links.count(Kind::island, slivers);
+  links.count(Kind::hole, slivers);
+  return slivers;
 }
 
 }  // namespace inkcell::tools

@@ -1,6 +1,7 @@
 // Which parts of a border are left over where contours cross by accident.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "truth.hpp"
@@ -12,8 +13,9 @@ namespace inkcell::tools {
 inline constexpr double kSliverArea = 4;
 inline constexpr double kSliverWidth = 1.0 / 8;
 
-/// Whether each piece is the border of a sliver: an island, or a hole, also one
-/// that touches others at a point. The area lies to the left of each piece.
-std::vector<bool> find_slivers(const std::vector<TrueGlyph::Chord>& border);
+/// Of how many slivers each piece is the border: islands and holes, also those
+/// that touch others at a point. 2 between an island and a hole. The area lies
+/// to the left of each piece.
+std::vector<uint8_t> find_slivers(const std::vector<TrueGlyph::Chord>& border);
 
 }  // namespace inkcell::tools

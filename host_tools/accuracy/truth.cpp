@@ -332,16 +332,18 @@ void TrueGlyph::set_groups() {
   }
 }
 
+// Where an island is taken away and the hole beside it is filled, the piece
+// between them stays, and the area lies on its other side.
 void TrueGlyph::drop_slivers() {
   set_groups();
-  const std::vector<bool> is_sliver = find_slivers(pieces_);
+  const std::vector<uint8_t> slivers = find_slivers(pieces_);
   for (Group& group : groups_) {
     size_t kept = group.begin;
     for (size_t i = group.begin; i < group.end; ++i) {
-      if (is_sliver[i]) {
-        slivers_.push_back(pieces_[i]);
-      } else {
-        pieces_[kept++] = pieces_[i];
+      const Chord piece = pieces_[i];
+      slivers_.insert(slivers_.end(), slivers[i], piece);
+      if (slivers[i] != 1) {
+        pieces_[kept++] = slivers[i] == 0 ? piece : Chord{piece.b, piece.a};
       }
     }
     group.end = kept;

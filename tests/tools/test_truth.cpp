@@ -133,6 +133,19 @@ TEST(TrueGlyph, IslandOfNextToNoWidthIsEmpty) {
   EXPECT_NEAR(distance(wide, 200.1, 10), 0.1, 1e-9);
 }
 
+TEST(TrueGlyph, IslandBesideAHoleLeavesWhatLiesBetween) {
+  // A crescent touches the box at two points of its right edge.
+  const TrueGlyph glyph =
+      Polygons()
+          .add_box(0, 0, 100, 40)
+          .add({{100, 10}, {100.08, 20}, {100, 30}, {100.04, 20}})
+          .glyph();
+  EXPECT_NEAR(distance(glyph, 100.02, 20), 0.02, 1e-4);
+  EXPECT_NEAR(distance(glyph, 100.06, 20), -0.02, 1e-4);
+  EXPECT_NEAR(distance(glyph, 95, 20), 5.04, 0.01);
+  EXPECT_NEAR(distance(glyph, -5, 20), -5, 1e-9);
+}
+
 TEST(TrueGlyph, LimitClamps) {
   const TrueGlyph glyph = Polygons().add_box(0, 0, 100, 100).glyph();
   EXPECT_EQ(glyph.distance({50, 50}, 8), 8);
