@@ -1,24 +1,33 @@
-"""Compiles each public header alone, twice included, with every compiler.
+"""Compiles each public header alone, twice included, with every compiler; also
+after the macros of other projects, in foreign_macros.h. Below C++17 each begins
+with an error that names the remedy.
 
-Headers of the C interface are compiled as C99, too.
+Headers of the C interface are compiled as C99, too, and need no C++17.
 
 Usage: check_headers.py WORK_FOLDER
 """
 import pathlib
+import re
 import sys
 
 from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, WARNINGS, c_compiler,
                         c_headers, device_headers, finish, in_parallel,
                         require, run)
 
-# As a device compiles them, and as any other program does.
+FREESTANDING = {"C++17": ["-ffreestanding", "-fno-exceptions", "-fno-rtti"],
+                "C99": ["-ffreestanding"]}
+MACROS = pathlib.Path(__file__).resolve().parent / "foreign_macros.h"
+# As a device compiles them, as any other program does, and in a source that has
+# the macros of other projects.
 MODES = {
-    "freestanding": {"C++17": ["-ffreestanding", "-fno-exceptions", "-fno-rtti"],
-                     "C99": ["-ffreestanding"]},
+    "freestanding": FREESTANDING,
     "hosted": {"C++17": [], "C99": []},
+    "after foreign macros": {
+        language: [*flags, "-include", MACROS]
+        for language, flags in FREESTANDING.items()},
 }
-
-
+# In the compiler's first message.
+REMEDY = re.compile(r"error: .*Inkcell needs C\+\+17: .*-std=gnu\+\+17")
 
 def check(machine, mode, language, sources):
     """What a compiler says of the sources, which it is given all at once: it
@@ -27,10 +36,23 @@ def check(machine, mode, language, sources):
         command = [*c_compiler(machine), *C_WARNINGS]
     else:
         command = [*COMPILERS[machine][0], "-std=c++17", *WARNINGS]
-    result = run([*command, *MODES[mode][language], *INCLUDES, "-fsyntax-only",
-                  *sources])
+    cast_align = "-Wcast-align" + ("" if "clang" in machine else "=strict")
+    result = run([*command, *MODES[mode][language], cast_align, *INCLUDES,
+                  "-fsyntax-only", *sources])
     return None if result.returncode == 0 else (
         f"{language} ({machine}, {mode}):\n{result.stdout}")
+
+
+def check_old(source):
+    """A header must refuse C++14 before it says anything else, those for C serve
+    C++11."""
+    is_c = source.name.removesuffix(".cpp").endswith(".h")
+    result = run(["g++", f"-std=gnu++{11 if is_c else 14}", *INCLUDES,
+                  "-fsyntax-only", source])
+    first = re.search(r"^.*error: .*$", result.stdout, re.M)
+    is_good = first is None if is_c else first and REMEDY.search(first.group())
+    return None if is_good else (
+        f"{source.stem} in an old standard begins with:\n{result.stdout[:500]}")
 
 
 def main():
@@ -52,7 +74,11 @@ def main():
                 if (machine, mode) != ("RV32", "hosted"):
                     jobs.append((machine, mode, language, sources))
                     checked += len(sources)
-    problems = [found for found in in_parallel(check, jobs) if found]
+        if language == "C++17":
+            old = [(source,) for source in sources]
+    problems = [found for found in
+                in_parallel(check, jobs) + in_parallel(check_old, old) if found]
+    checked += len(old)
     finish(checked, problems)
 
 

@@ -193,7 +193,7 @@ Status draw_parts_and_print(const Sink& sink) {
   ink = 0;
   PrintLook look;
   look.style = PrintStyle::engraving;  // rings, hatching, halftone, relief
-  look.light = degrees(135);
+  look.light = from_degrees(135);
   look.pitch = 5_px;
   look.slope = 8_px;                                  // how wide the edge is
   draw_print(grid, look, x, y, kFilterMotion, sink);  // for each strip

@@ -368,8 +368,8 @@ TEST(changes_are_all_in_dirty_rectangles) {
 TEST(poses_mix_the_shorter_way) {
   Pose a;
   Pose b;
-  a.angle = degrees(350);
-  b.angle = degrees(10);
+  a.angle = from_degrees(350);
+  b.angle = from_degrees(10);
   b.offset.x = Q26_6::from_int(10);
   b.scale_x.raw = 8192;
   b.opacity = 5;

@@ -91,11 +91,11 @@ TEST(slopes_in_the_light_take_less_ink) {
     PrintLook look;
     look.style = style;
     Picture<kSide, kSide> from_left;
-    look.light = degrees(180);
+    look.light = from_degrees(180);
     draw_print(grid, look, 0, 0, kFilterText, from_left.sink());
     CHECK(ink(from_left, kLeft) + 20 < ink(from_left, kRight));
     Picture<kSide, kSide> from_above;
-    look.light = degrees(90);
+    look.light = from_degrees(90);
     draw_print(grid, look, 0, 0, kFilterText, from_above.sink());
     CHECK(ink(from_above, kTop) + 20 < ink(from_above, kBottom));
     // Nothing outside.

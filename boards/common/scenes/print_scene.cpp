@@ -65,9 +65,9 @@ PrintLook PrintScene::look_of(uint32_t part) const noexcept {
   look.style = of.style;
   // The light goes round once in a part, from the upper left.
   const uint32_t turn = frame_ % kPartFrames * 65536 / kPartFrames;
-  look.light =
-      Angle::from_raw(static_cast<uint16_t>(degrees(135 + 180).raw - turn));
-  look.screen = degrees(of.screen);
+  look.light = Angle::from_raw(
+      static_cast<uint16_t>(from_degrees(135 + 180).raw - turn));
+  look.screen = from_degrees(of.screen);
   const int32_t pitch = height_ * 64 / 48 * of.pitch / 16;
   look.pitch = Q26_6::from_raw(pitch < 160 ? 160 : pitch);
   look.slope = Q26_6::from_raw(height_ * 64 / 27);

@@ -1,6 +1,8 @@
 // Contracts that a caller must keep, checked in builds that ask for it.
 #pragma once
 
+#include "inkcell/cpp17.hpp"
+
 /// 1: a broken contract ends the program with a trap, at the line that states
 /// it. 0, the default: contracts are neither evaluated nor compiled, so that
 /// objects are as without them. One value for the library and the program:

@@ -2,6 +2,8 @@
 // one sample a pixel.
 #pragma once
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 
 struct Mixer;

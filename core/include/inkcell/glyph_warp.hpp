@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 
 /// A monotone piecewise-linear map of one coordinate, from the position of an

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 
 /// Four painted bytes, the first one lowest, to coverage. `inside` goes from

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 
 /// Why a call did nothing. Values never change: they end up in field logs.

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 
 inline constexpr uint8_t kLibraryVersionMajor = 0;

@@ -6,6 +6,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 namespace format {
 

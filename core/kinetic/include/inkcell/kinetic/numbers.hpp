@@ -14,7 +14,7 @@ namespace kinetic {
 using Angle = Fixed<uint16_t, 16>;
 
 /// Any number of degrees, also negative, as an angle.
-constexpr Angle degrees(int32_t value) noexcept {
+constexpr Angle from_degrees(int32_t value) noexcept {
   const int32_t wrapped = (value % 360 + 360) % 360;
   return Angle::from_raw(static_cast<uint16_t>((wrapped * 65536 + 180) / 360));
 }

@@ -3,7 +3,7 @@
 //
 //   PrintLook look;
 //   look.style = PrintStyle::engraving;
-//   look.light = degrees(135);
+//   look.light = from_degrees(135);
 //   draw_print(grid, look, x, y, kFilterMotion, sink);  // for each strip
 //
 // The edge is lit as a slope: its height is the distance, its direction the
@@ -33,8 +33,8 @@ enum class PrintStyle : uint8_t {
 /// The look of a print.
 struct PrintLook {
   PrintStyle style = PrintStyle::relief;
-  Angle light = degrees(135);        // the direction from which light comes
-  Angle screen = degrees(45);        // of lines, or of rows of dots
+  Angle light = from_degrees(135);   // the direction from which light comes
+  Angle screen = from_degrees(45);   // of lines, or of rows of dots
   Q26_6 pitch = Q26_6::from_int(4);  // distance of lines [px], 2 to 64
   Q26_6 slope = Q26_6::from_int(4);  // width of the slope [px], 1 to 32
   /// Offset of the lines: along the gradient, or across the lines. [px]

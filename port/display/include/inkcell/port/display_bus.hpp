@@ -14,6 +14,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 namespace port {
 
