@@ -214,6 +214,10 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
   EXPECT_GT(json.at("bytes_per_glyph").at("a").get<int>(), 50);
   EXPECT_EQ(json.at("bytes_per_glyph").at(" "), 0);
   EXPECT_LE(json.at("error_per_glyph").at("a").get<double>(), 16);
+  const auto& worst_pixel = json.at("worst_pixel_per_glyph").at("a");
+  EXPECT_GE(worst_pixel.at("px"), 12);
+  EXPECT_LE(worst_pixel.at("px"), 16);
+  EXPECT_EQ(json.at("worst_pixel_per_glyph").count(" "), 0u);
   EXPECT_EQ(json.at("cell_count"), cells);
   EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
   EXPECT_LE(json.at("error").at("max").get<double>(), 16);

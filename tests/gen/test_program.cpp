@@ -82,6 +82,44 @@ TEST_F(Program, GivesTheSameBytesEveryTime) {
   EXPECT_EQ(read_file(folder_.path() / "4.bin"), one);
 }
 
+TEST_F(Program, SharesTheGlyphsOfAFont) {
+  const std::string font =
+      "--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --symbols "
+      "'aegß.H' --quiet --out ";
+  ASSERT_EQ(run(folder_, font + "whole.bin").code, 0);
+  for (const char* part : {"0/2", "1/2"}) {
+    const std::string name(part, 1);
+    const Outcome result =
+        run(folder_, font + name + ".glyphs --part " + part);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+  }
+  const auto merged = [&](const std::string& options) {
+    const Outcome result = run(folder_, font + "merged.bin " + options);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read_file(folder_.path() / "merged.bin");
+  };
+  const std::vector<uint8_t> whole = read_file(folder_.path() / "whole.bin");
+  EXPECT_EQ(merged("--built 0.glyphs --built 1.glyphs"), whole);
+  EXPECT_EQ(merged("--built 1.glyphs"), whole);
+  // Glyphs of other settings are of no use, and do no harm.
+  EXPECT_NE(merged("--built 1.glyphs --max-px 20"), whole);
+
+  folder_.write("bad.glyphs", std::vector<uint8_t>{'I', 'N', 'K'});
+  for (const auto& [options, reason] :
+       std::vector<std::pair<const char*, const char*>>{
+           {"--built bad.glyphs", "bad.glyphs: no glyphs that this version"},
+           {"--built none.glyphs", "none.glyphs: cannot be read"},
+           {"--part 2/2", "'2/2' is no part"},
+           {"--part /2", "'/2' is no part"},
+           {"--part 1", "'1' is no part"},
+           {"--part 0/2 --coding field", "--part: glyphs of outlines"}}) {
+    const Outcome result = run(folder_, font + "c.bin " + options);
+    EXPECT_EQ(result.code, 1) << options;
+    EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+  }
+}
+
 TEST_F(Program, TakesEveryOption) {
   const Outcome result = run(
       folder_,

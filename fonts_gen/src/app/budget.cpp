@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <optional>
 
 #include "base/error.hpp"
@@ -43,7 +44,7 @@ size_t parse_bytes(const std::string& text) {
                         : unit == "M" ? size_t{1} << 20
                                       : 0;
   if (error != std::errc() || value == 0 || factor == 0 ||
-      value > (size_t{1} << 32) / factor) {
+      value > (uint64_t{1} << 32) / factor) {
     throw Error("--budget: '" + text +
                 "' is no number of bytes; write 24576, 24K or 1M");
   }

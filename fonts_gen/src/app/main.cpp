@@ -1,5 +1,7 @@
 // inkcell-fontgen: makes a ROM font from a font file.
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <list>
 #include <map>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "files.hpp"
+#include "pipeline/built_glyphs.hpp"
 #include "pipeline/generate.hpp"
 #include "program.hpp"
 
@@ -28,6 +31,8 @@ struct Arguments {
   std::string report;
   std::string depfile;
   std::string preview;
+  std::optional<GlyphPart> part;
+  std::vector<std::filesystem::path> built;
   size_t budget = 0;  // [bytes]; 0: none
   bool quiet = false;
 };
@@ -114,10 +119,33 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--depfile", arguments.depfile,
                  "Write the files that were read as a Makefile rule")
       ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--part",
+         [&arguments](const std::string& text) {
+           arguments.part = parse_part(text);
+         },
+         "Build part K of N of the glyphs, K = 0..N-1; --out is a file for "
+         "--built then")
+      ->type_name("K/N");
+  tools::take_one(
+      app.add_option("--built", arguments.built,
+                     "Take the glyphs that --part has built with the same "
+                     "options, and build the others; repeatable"))
+      ->type_name("FILE");
   app.add_option("--threads", request.threads, "Threads [all cores]")
       ->check(CLI::Range(0, 1024).description(""))
       ->type_name("INT");
   app.add_flag("--quiet", arguments.quiet, "No report, no progress");
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)),
+                    std::istreambuf_iterator<char>());
+  if (!in.is_open() || in.bad()) {
+    throw Error(file.string() + ": cannot be read");
+  }
+  return bytes;
 }
 
 OutputFormat format_of(const Arguments& arguments, const std::string& out) {
@@ -273,13 +301,36 @@ RomFont make_font(const Arguments& arguments,
   return font;
 }
 
-// The same with a progress bar.
-RomFont make_font(Arguments& arguments) {
-  std::optional<Progress> progress(arguments.quiet);
-  arguments.request.progress = [&](size_t done, size_t count) {
-    progress->update(done, count);
-  };
-  return make_font(arguments, progress);
+// Refuses what --part has no use for.
+void check_part(const Arguments& arguments) {
+  if (!arguments.part) {
+    return;
+  }
+  if (arguments.budget != 0 || arguments.out.size() != 1 ||
+      arguments.request.target.coding != Coding::outline) {
+    throw Error(
+        "--part: glyphs of outlines are built into one --out, without "
+        "--budget; leave --part out");
+  }
+}
+
+void build_part(const Arguments& arguments) {
+  generate_part(arguments.request, *arguments.part);
+  OutputFile out(arguments.out[0]);
+  out.write(arguments.request.built_glyphs->bytes());
+  out.commit();
+}
+
+void make_files(const Arguments& arguments, std::optional<Progress>& progress) {
+  const RomFont font = make_font(arguments, progress);
+  progress.reset();
+  for (const Warning& warning : font.warnings) {
+    std::fprintf(stderr, "%s\n", warning.message().c_str());
+  }
+  write_files(arguments, font);
+  if (!arguments.quiet) {
+    std::fputs(report_for_people(font.report).c_str(), stdout);
+  }
 }
 
 void run(Arguments& arguments) {
@@ -288,15 +339,24 @@ void run(Arguments& arguments) {
     arguments.name = identifier_of(font.empty() ? "icons" : font);
   }
   check_identifier(arguments.name);
+  check_part(arguments);
   check_forms(arguments);
   check_files(arguments);
-  const RomFont font = make_font(arguments);
-  for (const Warning& warning : font.warnings) {
-    std::fprintf(stderr, "%s\n", warning.message().c_str());
+  BuiltGlyphs built;
+  for (const std::filesystem::path& file : arguments.built) {
+    built.add(read_file(file), file.string());
   }
-  write_files(arguments, font);
-  if (!arguments.quiet) {
-    std::fputs(report_for_people(font.report).c_str(), stdout);
+  if (arguments.part || !arguments.built.empty()) {
+    arguments.request.built_glyphs = &built;
+  }
+  std::optional<Progress> progress(arguments.quiet);
+  arguments.request.progress = [&](size_t done, size_t count) {
+    progress->update(done, count);
+  };
+  if (arguments.part) {
+    build_part(arguments);
+  } else {
+    make_files(arguments, progress);
   }
 }
 

@@ -29,6 +29,25 @@ double parse_tolerance(const std::string& text) {
   return value;
 }
 
+GlyphPart parse_part(const std::string& text) {
+  GlyphPart part;
+  const char* end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.number);
+  const bool has_count =
+      number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto count = has_count
+                         ? std::from_chars(number.ptr + 1, end, part.count)
+                         : std::from_chars(end, end, part.count);
+  if (count.ec != std::errc() || count.ptr != end || part.count > 1024 ||
+      part.number >= part.count) {
+    throw CLI::ValidationError("--part",
+                               "'" + text +
+                                   "' is no part; write 0/4 to 3/4, with "
+                                   "up to 1024 parts");
+  }
+  return part;
+}
+
 namespace {
 
 // An option with a few values, the default first.

@@ -11,6 +11,9 @@ namespace inkcell::gen {
 /// Parses a tolerance, "16/255" or "16". Throws CLI::ValidationError.
 double parse_tolerance(const std::string& text);
 
+/// Parses a part of the glyphs, "0/4". Throws CLI::ValidationError.
+GlyphPart parse_part(const std::string& text);
+
 /// Adds the options from --face to --effort, which fill in `request`; it must
 /// live until `app` has parsed. The program adds the font file, text files and
 /// threads.

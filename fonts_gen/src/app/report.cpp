@@ -253,12 +253,18 @@ std::string report_as_json(const FontReport& report) {
   Json points = Json::object();
   Json glyph_bytes = Json::object();
   Json glyph_error = Json::object();
+  Json worst_pixel = Json::object();
   Json missed = Json::array();
   for (const GlyphReport& glyph : report.glyphs) {
     per_glyph[glyph.key] = glyph.cells;
     points[glyph.key] = glyph.points;
     glyph_bytes[glyph.key] = glyph.bytes;
     glyph_error[glyph.key] = rounded(glyph.worst_error);
+    if (glyph.worst_px != 0) {
+      worst_pixel[glyph.key] = {{"px", glyph.worst_px},
+                                {"x_u", rounded(glyph.worst_x_u)},
+                                {"y_u", rounded(glyph.worst_y_u)}};
+    }
     if (!glyph.within_tolerance) {
       missed.push_back({{"glyph", glyph.key},
                         {"file", glyph.file_name},
@@ -270,6 +276,7 @@ std::string report_as_json(const FontReport& report) {
   json["points_per_glyph"] = std::move(points);
   json["bytes_per_glyph"] = std::move(glyph_bytes);
   json["error_per_glyph"] = std::move(glyph_error);
+  json["worst_pixel_per_glyph"] = std::move(worst_pixel);
   json["missed"] = std::move(missed);
   json["error"] = {{"max", rounded(report.worst_error)},
                    {"mean", rounded(report.mean_error)},

@@ -116,7 +116,7 @@ class Gathering {
 
   void end() {
     size_.mean = pixels_ > 0 ? sum_ / pixels_ : 0;
-    result_.worst = std::max(result_.worst, size_.worst);
+    keep_worst(worst_pixel_);
     result_.worst_mean = std::max(result_.worst_mean, size_.mean);
     result_.sizes.push_back(size_);
     if (worst_pixel_.error > kFollowed * options_.tolerance) {
@@ -131,7 +131,7 @@ class Gathering {
       worst_pixel_ = {setting, x, y, error};
     }
     if (error > options_.tolerance) {
-      add_miss({setting.x_u(x), setting.y_u(y), size_.px, error});
+      add_miss(miss_at({setting, x, y, error}));
     }
   }
 
@@ -148,15 +148,14 @@ class Gathering {
 
   // A pixel at a position that is tried besides.
   void add_between(const WrongPixel& pixel) {
-    result_.worst = std::max(result_.worst, pixel.error);
+    keep_worst(pixel);
     for (SizeError& size : result_.sizes) {
       if (size.px == pixel.setting.px) {
         size.worst = std::max(size.worst, pixel.error);
       }
     }
     if (pixel.error > options_.tolerance + kPositionReserve) {
-      add_miss({pixel.setting.x_u(pixel.x), pixel.setting.y_u(pixel.y),
-                pixel.setting.px, pixel.error});
+      add_miss(miss_at(pixel));
     }
   }
 
@@ -172,6 +171,19 @@ class Gathering {
   }
 
  private:
+  static LoopMiss miss_at(const WrongPixel& pixel) {
+    const Setting& setting = pixel.setting;
+    return {setting.x_u(pixel.x), setting.y_u(pixel.y), setting.px,
+            pixel.error};
+  }
+
+  void keep_worst(const WrongPixel& pixel) {
+    if (pixel.error > result_.worst) {
+      result_.worst = pixel.error;
+      result_.worst_pixel = miss_at(pixel);
+    }
+  }
+
   // Misses are a heap with the least bad one on top.
   void add_miss(const LoopMiss& miss) {
     std::vector<LoopMiss>& heap = result_.misses;

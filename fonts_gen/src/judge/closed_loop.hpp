@@ -36,7 +36,7 @@ struct LoopOptions {
   size_t max_misses = 256;
 };
 
-/// A pixel beyond the tolerance.
+/// A pixel that differs from the truth.
 struct LoopMiss {
   double x_u = 0;  // its centre in the glyph
   double y_u = 0;
@@ -57,6 +57,7 @@ struct LoopResult {
   std::vector<LoopMiss> misses;  // worst first
   size_t miss_count = 0;         // all of them, not only those handed back
   double worst = 0;              // of all sizes
+  LoopMiss worst_pixel;          // a pixel of that error
   double worst_mean = 0;         // the largest mean of a size
 };
 

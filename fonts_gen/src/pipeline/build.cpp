@@ -148,6 +148,50 @@ SampleTree field_of(const FieldImage& image, const RomContent& content) {
   }
 }
 
+// A glyph, from those that were built before if its outline is among them.
+BuiltGlyph find_or_build(const SourceFont& font,
+                         const SourceGlyph& glyph,
+                         const RefitOptions& refit,
+                         const GenerateRequest& request,
+                         const BuiltGlyphs* earlier,
+                         const SampleTree& image) {
+  const BuiltGlyph* known =
+      earlier == nullptr ? nullptr : earlier->find(glyph.outline);
+  return known != nullptr
+             ? *known
+             : build_glyph(font, glyph, refit, request.target, image);
+}
+
+// The glyphs of a part: the longest outlines first, each to the part that has
+// the fewest segments so far.
+std::vector<size_t> glyphs_of_part(const SourceFont& font, GlyphPart part) {
+  std::vector<std::pair<size_t, size_t>> order;  // segments, glyph
+  for (size_t i = 0; i < font.glyphs.size(); ++i) {
+    size_t segments = 1;
+    for (const Contour& contour : font.glyphs[i].outline.contours) {
+      segments += contour.segments.size();
+    }
+    order.emplace_back(segments, i);
+  }
+  std::stable_sort(
+      order.begin(), order.end(),
+      [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<size_t> sums(part.count);
+  std::vector<size_t> glyphs;
+  for (const auto& [segments, glyph] : order) {
+    const auto least = std::min_element(sums.begin(), sums.end());
+    *least += segments;
+    if (static_cast<size_t>(least - sums.begin()) == part.number) {
+      glyphs.push_back(glyph);
+    }
+  }
+  return glyphs;
+}
+
+RefitOptions refit_of(const SourceFont& font, const Target& target) {
+  return refit_options(target, font.metrics.units_per_em, largest_side(font));
+}
+
 // Every glyph of `content`, and its errors. In fonts of fields images come
 // after what they are images of, and glyphs that nobody sees are left out.
 void build_glyphs(const SourceFont& font,
@@ -174,13 +218,9 @@ void build_glyphs(const SourceFont& font,
     earlier->begin(request.target, refit);
   }
   const auto build = [&](size_t i, const SampleTree& image) {
-    const SourceGlyph& source = font.glyphs[i];
-    const BuiltGlyph* known =
-        earlier == nullptr ? nullptr : earlier->find(source.outline);
-    BuiltGlyph built = known != nullptr ? *known
-                                        : build_glyph(font, source, refit,
-                                                      request.target, image);
-    built.glyph.metrics.advance = source.advance;
+    BuiltGlyph built =
+        find_or_build(font, font.glyphs[i], refit, request, earlier, image);
+    built.glyph.metrics.advance = font.glyphs[i].advance;
     content.glyphs[i] = std::move(built.glyph);
     errors[i] = std::move(built.errors);
   };
@@ -228,6 +268,35 @@ void drop_unused_components(SourceFont& font,
 
 }  // namespace
 
+void build_part(const SourceFont& font,
+                const GenerateRequest& request,
+                GlyphPart part) {
+  const RefitOptions refit = refit_of(font, request.target);
+  BuiltGlyphs& built_glyphs = *request.built_glyphs;
+  built_glyphs.begin(request.target, refit);
+  std::vector<SourceGlyph> sources;
+  for (const size_t glyph : glyphs_of_part(font, part)) {
+    sources.push_back(font.glyphs[glyph]);
+  }
+  std::vector<RomGlyph> glyphs(sources.size());
+  std::vector<LoopResult> errors(sources.size());
+  std::function<void(size_t)> done;
+  if (request.progress) {
+    done = [&](size_t finished) { request.progress(finished, sources.size()); };
+    done(0);
+  }
+  parallel_for(
+      sources.size(), request.threads,
+      [&](size_t i) {
+        BuiltGlyph built = find_or_build(font, sources[i], refit, request,
+                                         &built_glyphs, SampleTree());
+        glyphs[i] = std::move(built.glyph);
+        errors[i] = std::move(built.errors);
+      },
+      done);
+  built_glyphs.keep(sources, glyphs, errors);
+}
+
 RomContent build_content(SourceFont& font,
                          const GenerateRequest& request,
                          std::vector<LoopResult>& errors) {
@@ -236,8 +305,7 @@ RomContent build_content(SourceFont& font,
   content.metrics = font.metrics;
   content.options = request.target;
   content.kerning = std::move(font.kerning);
-  const RefitOptions refit = refit_options(
-      request.target, font.metrics.units_per_em, largest_side(font));
+  const RefitOptions refit = refit_of(font, request.target);
   build_glyphs(font, request, refit, content, errors);
   if (request.target.coding == Coding::field) {
     drop_unused_components(font, content, errors);

@@ -17,4 +17,10 @@ RomContent build_content(SourceFont& font,
                          const GenerateRequest& request,
                          std::vector<LoopResult>& errors);
 
+/// Builds a part of the glyphs of an outline font into request.built_glyphs.
+/// The parts take about equally long. Throws Error.
+void build_part(const SourceFont& font,
+                const GenerateRequest& request,
+                GlyphPart part);
+
 }  // namespace inkcell::gen

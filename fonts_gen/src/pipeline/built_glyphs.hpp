@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/closed_loop.hpp"
@@ -37,6 +39,14 @@ class BuiltGlyphs {
   void keep(const std::vector<SourceGlyph>& sources,
             const std::vector<RomGlyph>& glyphs,
             const std::vector<LoopResult>& errors);
+
+  /// Its glyphs as bytes, for add() of this version on the same kind of
+  /// machine: processes may share the work of one font.
+  std::string bytes() const;
+
+  /// Adds what bytes() gave. Glyphs of other conditions replace all. Throws
+  /// Error, which begins with `name`, for other bytes.
+  void add(std::string_view bytes, const std::string& name);
 
   /// Outlines of the last font that did not need to be built.
   size_t reused() const { return reused_; }

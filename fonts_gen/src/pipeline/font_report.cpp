@@ -36,11 +36,9 @@ GlyphReport report_glyph(const SourceGlyph& source,
   glyph.worst_error = errors.worst;
   glyph.mean_error = errors.worst_mean;
   glyph.within_tolerance = errors.worst <= options.tolerance;
-  for (const SizeError& size : errors.sizes) {
-    if (size.worst == errors.worst) {
-      glyph.worst_px = size.px;
-    }
-  }
+  glyph.worst_px = errors.worst_pixel.px;
+  glyph.worst_x_u = errors.worst_pixel.x_u;
+  glyph.worst_y_u = errors.worst_pixel.y_u;
   return glyph;
 }
 

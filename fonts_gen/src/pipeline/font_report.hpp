@@ -29,7 +29,9 @@ struct GlyphReport {
   /// mean over the ink's box and 1.5 px [1/255]. fixed: as SampleTree.
   double worst_error = 0;
   double mean_error = 0;
-  int worst_px = 0;  // size_aware: the size of the worst pixel
+  int worst_px = 0;      // size_aware: the size of the worst pixel
+  double worst_x_u = 0;  // its centre in the glyph
+  double worst_y_u = 0;
   bool within_tolerance = true;
 };
 

@@ -110,6 +110,13 @@ SourceFont load_source(const GenerateRequest& request,
 
 }  // namespace
 
+void generate_part(const GenerateRequest& request, GlyphPart part) {
+  check_request(request);
+  Warnings warnings;  // generate() gives them
+  const SourceFont font = load_source(request, strings_of(request), warnings);
+  build_part(font, request, part);
+}
+
 RomFont generate(const GenerateRequest& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_request(request);

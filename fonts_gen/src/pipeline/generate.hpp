@@ -28,6 +28,11 @@ struct RomFont {
   Warnings warnings;
 };
 
+/// Builds a part of the glyphs of an outline font into request.built_glyphs,
+/// which keeps no others. generate() of the same request has that part done
+/// then. Throws Error.
+void generate_part(const GenerateRequest& request, GlyphPart part);
+
 /// Generates the font and reads it back with the device's reader. Throws Error.
 RomFont generate(const GenerateRequest& request);
 

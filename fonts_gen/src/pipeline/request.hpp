@@ -18,6 +18,12 @@ namespace inkcell::gen {
 
 class BuiltGlyphs;
 
+/// A part of the glyphs of a font, for processes that share the work.
+struct GlyphPart {
+  size_t number = 0;
+  size_t count = 1;
+};
+
 /// What to generate. The defaults are those of the command line.
 struct GenerateRequest {
   std::filesystem::path font;  // empty: icons alone
