@@ -1,21 +1,25 @@
-// Puts the page together: one HTML file, without a server.
+// Puts the page together, twice: as one HTML file, which needs no server, and as
+// files for a web server, which a service worker keeps for use without a network.
 //
-// Usage: node build.mjs CORE.wasm GENERATOR_FOLDER VERSIONS FONT.ttf OUT.html
+// Usage: node build.mjs CORE.wasm GENERATOR_FOLDER VERSIONS FONT.ttf OUT.html FOLDER
 import assert from 'node:assert/strict';
 import {createHash} from 'node:crypto';
-import {readFileSync, writeFileSync} from 'node:fs';
+import {mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {basename, dirname, resolve} from 'node:path';
 import {gzipSync} from 'node:zlib';
 
 import {runFontgen} from '../../fonts_gen/web/fontgen.mjs';
 
-const [coreFile, generator, versions, fontFile, out] = process.argv.slice(2);
+const [coreFile, generator, versions, fontFile, out, folder] = process.argv.slice(2);
 const here = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
 const text = (file) => readFileSync(resolve(here, file), 'utf8');
-const packed = (bytes) => gzipSync(bytes, {level: 9}).toString('base64');
-const hash = (content) =>
-  `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
+const sha256 = (content) => createHash('sha256').update(content);
+const hash = (content) => `'sha256-${sha256(content).digest('base64')}'`;
+
+/** Lines without comments and without the blanks that begin them. */
+const bare = (script) => script.replace(/^\s*\/\*\*(?:(?!\*\/)[^])*\*\/\s*$/gm, '')
+  .replace(/^\s*\/\/.*$/gm, '').replace(/^\s+/gm, '');
 
 /** Modules as one, each after those that it imports. */
 function joined(file, done = new Set()) {
@@ -23,16 +27,31 @@ function joined(file, done = new Set()) {
   if (done.has(path)) return '';
   done.add(path);
   let before = '';
-  const body = readFileSync(path, 'utf8').replace(
-    /^import [^;]*? from '(\..*?)';\n/gm, (_, name) => {
-      before += joined(resolve(dirname(path), name), done);
-      return '';
-    }).replace(/^export /gm, '');
+  const source = readFileSync(path, 'utf8');
+  const body = source.replace(/^import [^;]*? from '(\..*?)';\n/gm, (_, name) => {
+    before += joined(resolve(dirname(path), name), done);
+    return '';
+  }).replace(/^export /gm, '');
   // Names that are local in their modules stay so.
-  const names = [...readFileSync(path, 'utf8').matchAll(
-    /^export (?:async )?(?:function|class|const) (\w+)/gm)].map(([, name]) => name);
+  const names = [...source.matchAll(/^export (?:async )?(?:function|class|const) ([\w$]+)/gm)]
+    .map(([, name]) => name);
   return names.length === 0 ? `${before}${body}`
     : `${before}const {${names}} = (() => {\n${body}return {${names}};\n})();\n`;
+}
+
+/** Characters from '#' on, without '<' and '\\': see parts.mjs. */
+const DIGITS = Array.from({length: 87}, (_, i) => String.fromCharCode(35 + i))
+  .filter((char) => char !== '<' && char !== '\\');
+function base85(bytes) {
+  const whole = Buffer.concat([bytes, Buffer.alloc(-bytes.length & 3)]);
+  let digits = '';
+  for (let at = 0; at < whole.length; at += 4) {
+    let value = whole.readUInt32BE(at);
+    let five = '';
+    for (let k = 0; k < 5; ++k, value = Math.floor(value / 85)) five = DIGITS[value % 85] + five;
+    digits += five;
+  }
+  return digits;
 }
 
 const fontgenFile = `${generator}/inkcell-fontgen`;
@@ -43,21 +62,58 @@ const made = await runFontgen(createRequire(import.meta.url)(`${fontgenFile}.js`
 assert.equal(made.code, 0, made.err);
 
 const style = text('page.css');
-const script = joined('page.mjs');
-const worker = [readFileSync(`${fontgenFile}.js`, 'utf8'),
-  text('../../fonts_gen/web/fontgen.mjs').replace(/^export /gm, ''), text('worker.js')];
-const [, version] = /inkcell VERSION ([\d.]+)/.exec(text('../../CMakeLists.txt'));
-const parts = {
-  STYLE: style, STYLE_HASH: hash(style), SCRIPT: script, SCRIPT_HASH: hash(script),
-  VERSION: version,
-  LIBRARIES: readFileSync(versions, 'utf8').trim().split('\n').join(', '),
-  CORE: packed(readFileSync(coreFile)), FONT: packed(made.files['font.bin']),
-  FONTGEN: packed(fontgen),
-  WORKER: packed(worker.join('\n')),
+const script = bare(joined('page.mjs'));
+const data = {
+  'core.wasm': readFileSync(coreFile),
+  'font.bin': Buffer.from(made.files['font.bin']),
+  'fontgen.wasm': fontgen,
+  'worker.js': Buffer.from([readFileSync(`${fontgenFile}.js`, 'utf8'),
+    bare(text('../../fonts_gen/web/fontgen.mjs').replace(/^export /gm, '')),
+    bare(text('worker.js'))].join('\n')),
 };
-const page = text('page.html').replace(/\{([A-Z_]+)\}/g, (_, name) => {
-  assert.ok(name in parts, `{${name}} in page.html is unknown`);
-  return parts[name];
+const [, version] = /inkcell VERSION ([\d.]+)/.exec(text('../../CMakeLists.txt'));
+
+/** page.html with its parts. */
+const page = (parts) => text('page.html').replace(/\{([A-Z_]+)\}/g, (_, name) => {
+  const all = {...parts, VERSION: version,
+    LIBRARIES: readFileSync(versions, 'utf8').trim().split('\n').join(', ')};
+  assert.ok(name in all, `{${name}} in page.html is unknown`);
+  return all[name];
 });
-writeFileSync(out, page);
-console.log(`${out}: ${page.length} bytes, built-in font ${made.files['font.bin'].length}`);
+const policy = (parts) => Object.entries({'default-src': "'none'", ...parts,
+  'base-uri': "'none'", 'form-action': "'none'"}).map((words) => words.join(' ')).join('; ');
+
+const single = page({
+  POLICY: policy({'script-src': `${hash(script)} 'wasm-unsafe-eval' blob:`,
+    'worker-src': 'blob:', 'style-src': hash(style), 'connect-src': "'none'"}),
+  STYLE: `<style>${style}</style>`,
+  DATA: Object.entries(data).map(([name, bytes]) => {
+    const packed = gzipSync(bytes, {level: 9});
+    return `<script type="text/plain" id="data:${name}" data-bytes="${packed.length}">` +
+      `${base85(packed)}</script>\n`;
+  }).join(''),
+  SCRIPT: `<script type="module">${script}</script>`,
+});
+writeFileSync(out, single);
+
+const files = {
+  'index.html': Buffer.from(page({
+    POLICY: policy({'script-src': "'self' 'wasm-unsafe-eval'", 'worker-src': "'self'",
+      'style-src': "'self'", 'connect-src': "'self'"}),
+    STYLE: '<link rel="stylesheet" href="page.css">',
+    DATA: '',
+    SCRIPT: '<script type="module" src="page.js"></script>',
+  })),
+  'page.css': Buffer.from(style), 'page.js': Buffer.from(script), ...data,
+};
+const all = sha256('');
+for (const bytes of Object.values(files)) all.update(bytes);
+const service = `const FILES = ${JSON.stringify(['./', ...Object.keys(files)])};\n` +
+  `const VERSION = '${all.digest('hex').slice(0, 16)}';\n${text('service.js')}`;
+rmSync(folder, {recursive: true, force: true});
+mkdirSync(folder, {recursive: true});
+for (const [name, bytes] of Object.entries({...files, 'service.js': service})) {
+  writeFileSync(`${folder}/${name}`, bytes);
+}
+console.log(`${out}: ${single.length} bytes, built-in font ${data['font.bin'].length}; ` +
+  `${folder}: ${Object.keys(files).length + 1} files for a web server`);

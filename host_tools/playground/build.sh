@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds the page: inkcell.html, one file that needs no server.
+# Builds the page: inkcell.html, one file that needs no server, and the folder
+# site, the same for a web server.
 #
 #   sh host_tools/playground/build.sh [FOLDER]     # build/web
 #
@@ -13,4 +14,4 @@ sh port/web/build.sh "$folder/core"
 folder=$(cd "$folder" && pwd)
 node host_tools/playground/build.mjs "$folder/core/inkcell.wasm" \
   "$folder/generator" "$folder/sources/versions.txt" \
-  /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder/inkcell.html"
+  /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder/inkcell.html" "$folder/site"

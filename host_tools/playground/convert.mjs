@@ -1,151 +1,91 @@
-// Converts the reader's fonts by inkcell-fontgen in a worker.
-import {axesOf} from './axes.mjs';
+// Converts the reader's fonts by inkcell-fontgen in workers.
+import {$, copyLink, restore} from './dom.mjs';
+import {Generator} from './generator.mjs';
+import {argumentsOf, isFont, isIcon, withoutCharacters} from './options.mjs';
+import {compareBitmaps, showReport} from './report.mjs';
 
-const $ = (id) => document.getElementById(id);
-const NAMES = {hpp: 'C++ header', c: 'C source', h: 'C header', bin: 'binary'};
-const decoded = (bytes) => new TextDecoder().decode(bytes);
-const isIcon = (name) => /\.svg$/i.test(name);
+/**
+ * @typedef {object} Page
+ * @property {import('../../port/web/inkcell.mjs').Core} core
+ * @property {() => Promise<Uint8Array>} fontgen
+ * @property {() => Promise<string>} worker
+ * @property {() => string} screenText
+ * @property {(font: Uint8Array, label: string, text?: string) => void} show
+ */
 
+const MOST_WORKERS = 8;
+
+/** @type {Record<string, Uint8Array>} */
 let files = {};  // chosen, by name
-let worker = null;
 let turn = 0;  // of the conversion that is wanted
-let module = null;  // of WebAssembly, compiled once
+/** @type {Generator} */
+let generator;
 
-/** An identifier of C from a file's name. */
-const identifier = (name) =>
-  name.replace(/\.\w+$/, '').replace(/\W+/g, '_').replace(/^(\d|$)/, 'font_$1');
-
-/** A word of a shell's line. */
-const quoted = (word) => /^[\w.,:=+%/-]+$/.test(word) ? word
-                                                      : `'${word.replaceAll("'", "'\\''")}'`;
-
-/** The characters of a text that no list such as 0x20-0x7E,0xB0 has. */
-function beyond(lists, text) {
-  const ranges = lists.flatMap((list) => list.split(','))
-    .map((range) => range.split('-').map(Number));
-  return [...new Set(text)].filter((char) => !ranges.some(([first, last = first]) =>
-    first <= char.codePointAt(0) && char.codePointAt(0) <= last)).join('');
-}
-
-/** What the controls ask for, as arguments of inkcell-fontgen. */
-function argumentsOf(screenText) {
-  const names = Object.keys(files);
-  const font = names.find((name) => !isIcon(name));
-  const args = font ? ['--font', font] : [];
-  const add = (option, ...values) => values.forEach((value) => args.push(option, value));
-  const lists = [...document.querySelectorAll('[name=set]:checked')].map((set) => set.value);
-  const more = beyond(lists, $('symbols').value + ($('mine').checked ? screenText : ''));
-  if (font) {
-    add('--chars', ...lists);
-    if (more) add('--symbols', more);
-  }
-  names.filter(isIcon).forEach((name, i) =>
-    add('--svg', `${name}=0x${(0xE000 + i).toString(16).toUpperCase()}`));
-  for (const axis of document.querySelectorAll('#axes input')) {
-    if (axis.value !== axis.dataset.usual) add('--axis', `${axis.dataset.tag}=${axis.value}`);
-  }
-  if ($('min').value !== '8') add('--min-px', $('min').value);
-  if ($('max').value !== '64') add('--max-px', $('max').value);
-  const precision = $('precision').value;
-  if (precision === 'budget') add('--budget', `${$('budget').value}K`);
-  else if (precision) add('--tolerance', precision), args.push('--best-effort');
-  if ($('coding').value !== 'outline') add('--coding', $('coding').value);
-  if (!$('hints').checked) add('--hints', 'off');
-  return {args, name: identifier(font || 'icons')};
-}
-
-/** The line of CMake with the same arguments. */
-function cmakeOf(args, name) {
-  const words = [];
-  let last = '';
-  for (let i = 0; i < args.length; ++i) {
-    const option = args[i].slice(2).replace('-', '_').toUpperCase();
-    if (option === 'BEST_EFFORT') {
-      words.push(option);
-      continue;
-    }
-    const value = args[++i];
-    // A list names its option once.
-    words.push(...(option === last ? [] : [option]),
-      /[\s";#$()\\]/.test(value) ? `[==[${value}]==]` : value);
-    last = option;
-  }
-  return `inkcell_add_font(app NAME ${name} ${words.join(' ')})`;
-}
-
-function row(cells, head) {
-  const line = document.createElement('tr');
-  cells.forEach((text, i) => {
-    const cell = document.createElement(head && i === 0 ? 'th' : 'td');
-    cell.textContent = text;
-    line.append(cell);
-  });
-  return line;
-}
-
-function showReport(report) {
-  const {total, ...parts} = report.bytes;
-  $('parts').replaceChildren(...Object.entries({...parts, total})
-    .filter(([, bytes]) => bytes > 0)
-    .map(([part, bytes]) => row([part, bytes.toLocaleString('en')], true)));
-  const largest = Object.entries(report.bytes_per_glyph)
-    .sort(([, a], [, b]) => b - a).slice(0, 8);
-  $('largest').replaceChildren(...largest.map(([glyph, bytes]) =>
-    row([glyph, bytes, `${report.error_per_glyph[glyph]}/255`], true)));
-}
-
-function showDownloads(made, name) {
-  const links = Object.keys(NAMES).map((ending) => {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([made[`font.${ending}`]]));
-    link.download = `${name}.${ending}`;
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = `${NAMES[ending]}: ${link.download}`;
-    button.onclick = () => link.click();
-    return button;
-  });
-  $('downloads').replaceChildren(...links);
-}
+/** @param {Uint8Array} bytes */
+const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
 
 function stop() {
   ++turn;
-  worker?.terminate();
-  worker = null;
+  generator.stop();
   $('go').disabled = Object.keys(files).length === 0;
   $('cancel').hidden = $('progress').hidden = true;
-  $('count').textContent = '';
 }
 
-/** Waits for one run of the program in the worker. */
-const run = (args) => new Promise((resolve, reject) => {
-  worker.onmessage = ({data}) => {
-    if (data.count) {
-      $('progress').max = data.count;
-      $('progress').value = data.done;
-      $('count').textContent = `${data.done} of ${data.count} glyphs`;
-    } else {
-      resolve(data);
-    }
-  };
-  worker.onerror = (event) => reject(new Error(event.message));
-  worker.postMessage({module, files, args});
-});
+/** Sliders for the axes of a variable font. @param {any} report */
+function showAxes(report) {
+  const {axes = {}} = report.faces?.[0] || {};
+  $('axes').replaceChildren(...Object.entries(axes).map(([tag, axis]) => {
+    const label = document.createElement('label');
+    const shown = document.createElement('output');
+    const range = document.createElement('input');
+    Object.assign(range, {type: 'range', min: axis.min, max: axis.max,
+      step: axis.max - axis.min > 10 ? 1 : 0.01, value: axis.default});
+    Object.assign(range.dataset, {tag, usual: range.value, keep: ''});
+    label.htmlFor = range.id = `axis-${tag}`;
+    restore([range]);
+    range.oninput = () => { shown.textContent = range.value; };
+    shown.textContent = range.value;
+    label.append(`Axis ${tag} `, shown, range);
+    return label;
+  }));
+}
 
-/** The characters on the screen first, which takes a second; then all. */
+/** Faces of a collection. @param {Uint8Array} [bytes] */
+function showFaces(bytes) {
+  const isCollection = bytes && String.fromCharCode(...bytes.subarray(0, 4)) === 'ttcf';
+  const count = isCollection
+    ? Math.min(99, new DataView(bytes.buffer, bytes.byteOffset).getUint32(8)) : 0;
+  $('face-label').hidden = count < 2;
+  $('face').replaceChildren(...Array.from({length: count}, (_, i) => new Option(`${i}`)));
+}
+
+/**
+ * The characters on the screen, which takes a second.
+ * @param {Page} page @param {string[]} args @param {string} name
+ */
+async function showFirst(page, args, name) {
+  const text = page.screenText().trim();
+  if (!text || !args.includes('--font') || args.includes('field')) return;
+  const first = await generator.run(files, [...withoutCharacters(args)
+    .filter((word, i, all) => ![word, all[i - 1]].includes('--budget')),
+  '--symbols', text, '--out', 'font.bin', '--quiet'], () => {});
+  if (first.code === 0) page.show(first.files['font.bin'], `${name}, your text alone`);
+}
+
+/** @param {Page} page */
 async function convert(page) {
-  const {args, name} = argumentsOf(page.screenText());
+  const {args, name} = argumentsOf(Object.keys(files), page.screenText());
   const begin = performance.now();
-  const quick = args.includes('--font') && page.screenText().trim();
-  if (quick && $('coding').value === 'outline' && !args.includes('--budget')) {
-    const chars = args.filter((_, i) => !['--chars', '--symbols'].some((option) =>
-      [args[i], args[i - 1]].includes(option)));
-    const first = await run([...chars, '--symbols', quick, '--out', 'font.bin', '--quiet']);
-    if (first.code === 0) page.show(first.files['font.bin'], `${name}, your text alone`);
-  }
-  const result = await run([...args, '--name', name, '--out', 'font.hpp', '--out', 'font.c',
-    '--header', 'font.h', '--out', 'font.bin', '--report', 'report.json']);
-  const seconds = ((performance.now() - begin) / 1000).toFixed(1);
+  const outs = ['--name', name, '--out', 'font.hpp', '--out', 'font.c',
+    '--header', 'font.h', '--out', 'font.bin', '--report', 'report.json'];
+  const mine = turn;
+  const result = await generator.convert(files, args, outs, (part) => {
+    if (mine !== turn) return;
+    $('progress').value = part;
+    $('status').textContent = part < 1 ? 'Converting glyphs' : 'Hints, and a last check';
+  }, () => showFirst(page, args, name));
+  if (mine !== turn) return;
+  const seconds = (performance.now() - begin) / 1000;
   $('messages').textContent = result.err;
   $('messages').hidden = !result.err;
   if (result.code !== 0) {
@@ -153,88 +93,94 @@ async function convert(page) {
     return;
   }
   const {'report.json': json, ...made} = result.files;
-  const report = JSON.parse(decoded(json));
-  showReport(report);
-  showDownloads(made, name);
-  $('command').textContent = ['inkcell-fontgen', ...args, '--name', name, '--out',
-    `${name}.hpp`].map(quoted).join(' ');
-  $('cmake').textContent = cmakeOf(args, name);
-  const [header, coding] = report.coding === 'outline'
-    ? ['font.hpp', ''] : ['field/draw.hpp', 'inkcell::kFieldCoding, '];
-  $('usage').textContent = `#include <inkcell/${header}>\n\n#include "${name}.hpp"\n\n` +
-    'inkcell::Font font;\n' +
-    `const inkcell::Status status = inkcell::Font::open(fonts::${name}, ${coding}font);`;
-  $('result').hidden = false;
-  $('status').textContent = `${report.bytes.total.toLocaleString('en')} bytes for every size, ` +
-    `in ${seconds} s. No pixel is off by more than ${report.error.max}/255.`;
+  const report = decoded(json);
   if (report.coding === 'outline') {
     const icons = args.includes('--font') ? [] : Object.values(report.icons);
     page.show(made['font.bin'], `${name}, ${report.glyphs} glyphs: this font, any size`,
       String.fromCodePoint(...icons));
-    $('status').textContent += ' The displays above show it.';
   }
+  showReport(page.core, report, made, name, args);
+  $('status').textContent += ` ${report.font}: ${report.characters} characters in ` +
+    `${seconds.toFixed(1)} s, by ${generator.count} ` +
+    `${generator.count === 1 ? 'worker' : 'workers'}.` +
+    (report.coding === 'outline' ? ' The displays above show it.' : '');
+  $('result').dataset.seconds = seconds.toFixed(2);
 }
 
+/** @param {Page} page */
+async function submit(page) {
+  stop();
+  const mine = turn;
+  $('go').disabled = true;
+  $('cancel').hidden = $('progress').hidden = false;
+  $('progress').removeAttribute('value');
+  $('status').textContent = 'Starting the generator';
+  try {
+    await generator.start();
+    if (mine !== turn) return;
+    if ($('axes').dataset.of !== $('chosen').textContent) {
+      // What the file has, whatever its container: the generator's own report.
+      $('axes').dataset.of = $('chosen').textContent;
+      const font = Object.keys(files).find(isFont);
+      const asked = font && await generator.run(files, ['--font', font, '--symbols', ' ',
+        '--out', 'font.bin', '--report', 'report.json', '--quiet'], () => {});
+      showAxes(asked && asked.code === 0 ? decoded(asked.files['report.json']) : {});
+    }
+    await convert(page);
+  } catch (error) {
+    $('status').textContent = /** @type {Error} */ (error).message;
+  }
+  if (mine === turn) stop();
+}
+
+/** Fonts and icons replace each other; so do sources and texts. @param {FileList} list */
 async function choose(list) {
-  files = {};
-  for (const file of list) files[file.name] = new Uint8Array(await file.arrayBuffer());
-  $('chosen').textContent = Object.keys(files).join(', ');
-  const font = Object.keys(files).find((name) => !isIcon(name));
-  $('axes').replaceChildren(...(font ? axesOf(files[font]) : []).map((axis) => {
-    const label = document.createElement('label');
-    const shown = document.createElement('output');
-    const range = document.createElement('input');
-    Object.assign(range, {type: 'range', min: axis.least, max: axis.most, step: 'any',
-      value: axis.usual});
-    range.step = axis.most - axis.least > 10 ? 1 : 0.01;
-    Object.assign(range.dataset, {tag: axis.tag, usual: range.value});
-    range.oninput = () => { shown.textContent = range.value; };
-    range.oninput();
-    label.htmlFor = range.id = `axis-${axis.tag}`;
-    label.append(`Axis ${axis.tag} `, shown, range);
-    return label;
-  }));
-  if (Object.keys(files).length) $('options').requestSubmit();
+  const chosen = [...list];
+  /** @param {string} name */
+  const isDrawn = (name) => isFont(name) || isIcon(name);
+  const kinds = new Set(chosen.map(({name}) => isDrawn(name)));
+  files = Object.fromEntries(Object.entries(files).filter(([name]) => !kinds.has(isDrawn(name))));
+  for (const file of chosen) files[file.name] = new Uint8Array(await file.arrayBuffer());
+  const names = Object.keys(files);
+  $('chosen').textContent = names.filter(isDrawn).join(', ');
+  $('sources-chosen').textContent = names.filter((name) => !isDrawn(name)).join(', ') ||
+    'no file chosen';
+  if (kinds.has(true)) showFaces(files[names.find(isFont) ?? '']);
+  if (names.some(isDrawn)) $('options').requestSubmit();
   else stop();
 }
 
-/**
- * @param {{fontgen: () => Promise<Uint8Array>, worker: () => Promise<Uint8Array>,
- *   screenText: () => string, show: (font: Uint8Array, label: string, text?: string) => void}} page
- */
+/** @param {Page} page */
 export function startConverter(page) {
-  $('files').onchange = () => choose($('files').files);
-  const drop = $('drop');
-  const over = (event) => {
+  generator = new Generator(page.fontgen, page.worker,
+    Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1)));
+  for (const id of ['files', 'sources']) {
+    $(id).onchange = () => choose($(id).files);
+    // The same file again, after it has changed.
+    $(id).onclick = () => { $(id).value = ''; };
+  }
+  const over = (/** @type {DragEvent} */ event) => {
     event.preventDefault();
-    drop.classList.toggle('over', event.type === 'dragover');
+    $('drop').classList.toggle('over', event.type === 'dragover');
   };
-  for (const type of ['dragover', 'dragleave', 'drop']) document.addEventListener(type, over);
-  document.addEventListener('drop', (event) => choose(event.dataTransfer.files));
-  $('precision').onchange = () => {
-    $('budget-label').hidden = $('precision').value !== 'budget';
-  };
+  document.addEventListener('dragover', over);
+  document.addEventListener('dragleave', over);
+  document.addEventListener('drop', (event) => {
+    over(event);
+    if (event.dataTransfer?.files.length) choose(event.dataTransfer.files);
+  });
+  const showBudget = () => { $('budget-label').hidden = $('precision').value !== 'budget'; };
+  $('precision').onchange = showBudget;
+  showBudget();
   $('cancel').onclick = () => {
     stop();
     $('status').textContent = 'Cancelled.';
+    $('go').focus();
   };
-  $('options').onsubmit = async (event) => {
+  $('options').onsubmit = (/** @type {Event} */ event) => {
     event.preventDefault();
-    stop();
-    const mine = turn;
-    $('go').disabled = true;
-    $('cancel').hidden = $('progress').hidden = false;
-    $('progress').removeAttribute('value');
-    $('status').textContent = 'Starting the generator';
-    try {
-      const script = new Blob([await page.worker()], {type: 'text/javascript'});
-      module ??= await WebAssembly.compile(await page.fontgen());
-      if (mine !== turn) return;
-      worker = new Worker(URL.createObjectURL(script));
-      await convert(page);
-    } catch (error) {
-      $('status').textContent = error.message;
-    }
-    if (mine === turn) stop();
+    submit(page);
   };
+  $('sizes').oninput = $('bits').onchange = () => compareBitmaps(page.core);
+  $('convert-link').onclick = () => copyLink($('convert-note'));
 }

@@ -1,10 +1,17 @@
-// The distance field of a glyph, its cells, and the distance under the pointer.
-const $ = (id) => document.getElementById(id);
+// A glyph as it is stored and as a field: points, hints, cells, and the distance
+// under the pointer.
+import {$} from './dom.mjs';
+
 const POINTS = 240;  // along a side
 const LINE_U = 32;  // between two lines of equal distance [1/1024 em]
 const IN_EM = 1024;
+const CELL = 216;  // the side of the picture of a cell [px]
+const BAR_KINDS = ['bar', 'serif', 'edge', 'free end'];
 
-/** The colour of a distance: warm inside, cool outside, paler with the distance. */
+/**
+ * The colour of a distance: warm inside, cool outside, paler with the distance.
+ * @param {number} distance @param {number} step
+ */
 function colourOf(distance, step) {
   const far = Math.min(1, Math.abs(distance) / 160);
   const near = Math.abs(distance) < step;
@@ -15,34 +22,123 @@ function colourOf(distance, step) {
   return near ? [255, 255, 255] : onLine ? [r * 0.72, g * 0.72, b * 0.72] : [r, g, b];
 }
 
+/** A picture whose pixels are colours. @param {(x: number, y: number) => number[]} colourAt */
+function picture(side, colourAt) {
+  const image = new ImageData(side, side);
+  for (let i = 0; i < side * side; ++i) {
+    image.data.set(colourAt(i % side, Math.floor(i / side)), 4 * i);
+    image.data[4 * i + 3] = 255;
+  }
+  return image;
+}
+
 /** @param {import('../../port/web/inkcell.mjs').Core} core */
 export function startInside(core) {
   const canvas = $('field');
   canvas.width = canvas.height = 3 * POINTS;
+  /** @type {CanvasRenderingContext2D} */
   const context = canvas.getContext('2d');
   const small = new OffscreenCanvas(POINTS, POINTS);
   const probe = {column: POINTS / 2, row: POINTS / 2};
+  /** @type {any} */
   let field = null;
+  /** @type {any} */
+  let outline = null;
 
   const at = (column, row) => {
     const i = 4 * (row * POINTS + column);
     const [distance, x, y, side] = field.points.slice(i, i + 4);
     return {distance: distance / 1024, x, y, side};
   };
+  const left = (x) => (x - field.x) * canvas.width / field.side;
+  const top = (y) => canvas.height - (y - field.y) * canvas.width / field.side;
+
+  function drawLine(x0, y0, x1, y1) {
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+  }
+
+  // Zones dashed; heights and stems of this glyph whole.
+  function drawHints() {
+    context.lineWidth = 2;
+    context.strokeStyle = '#8fd3ff';
+    context.setLineDash([4, 6]);
+    for (const [y] of outline.zones) drawLine(0, top(y), canvas.width, top(y));
+    context.setLineDash([]);
+    context.strokeStyle = '#35e07f';
+    for (const [, low, high] of outline.heights) {
+      for (const y of [low, high]) drawLine(0, top(y), canvas.width, top(y));
+    }
+    context.strokeStyle = '#ff6ad5';
+    for (const [, low, high] of outline.stems) {
+      for (const x of [low, high]) drawLine(left(x), 0, left(x), canvas.height);
+    }
+  }
+
+  // Squares are corners, discs smooth points, rings off the curve.
+  function drawPoints() {
+    context.lineWidth = 2.5;
+    context.strokeStyle = '#fff';
+    outline.points.forEach(({x, y, kind}, i) => {
+      const before = outline.points[i - 1];
+      if (kind !== 3 && (kind === 0 || before.kind === 0)) {
+        drawLine(left(before.x), top(before.y), left(x), top(y));
+      }
+    });
+    for (const {x, y, kind} of outline.points) {
+      context.fillStyle = kind === 0 ? '#10233a' : kind === 1 ? '#5bff8f' : '#ffe14d';
+      context.strokeStyle = kind === 0 ? '#fff' : '#000';
+      context.beginPath();
+      if (kind > 1) context.rect(left(x) - 7, top(y) - 7, 14, 14);
+      else context.arc(left(x), top(y), 7, 0, 7);
+      context.fill();
+      context.stroke();
+    }
+  }
+
+  // The surface of a cell, and the nine distances that it goes through.
+  function drawCell({x, y, side}) {
+    const close = $('cell');
+    close.hidden = !side;
+    if (!side) return;
+    close.width = close.height = CELL;
+    const paper = close.getContext('2d');
+    const place = (i) => 24 + (CELL - 48) * i;
+    const step = side / (CELL - 48);
+    paper.putImageData(picture(CELL, (column, row) => colourOf(core.distance(
+      x + Math.min(side - 0.01, Math.max(0, (column - 24) * step)),
+      y + Math.min(side - 0.01, Math.max(0, (CELL - 24 - row) * step))), step)), 0, 0);
+    paper.font = '600 13px system-ui, sans-serif';
+    paper.textAlign = 'center';
+    for (let i = 0; i < 9; ++i) {
+      const [column, row] = [i % 3, Math.floor(i / 3)];
+      const edge = (n) => n === 2 ? side - 1 / 64 : n * side / 2;
+      const distance = core.distance(x + edge(column), y + edge(row));
+      const [px, py] = [place(column / 2), place(1 - row / 2)];
+      paper.fillStyle = '#fff';
+      paper.beginPath();
+      paper.arc(px, py, 4, 0, 7);
+      paper.fill();
+      paper.lineWidth = 3;
+      paper.strokeStyle = '#000';
+      paper.strokeText(distance.toFixed(1), px, py - 8);
+      paper.fillText(distance.toFixed(1), px, py - 8);
+    }
+  }
 
   function drawProbe() {
-    const {distance, x, y, side} = at(probe.column, probe.row);
+    const cell = at(probe.column, probe.row);
+    const {distance, x, y, side} = cell;
     const scale = canvas.width / field.side;
-    const left = (x - field.x) * scale;
-    const bottom = canvas.height - (y - field.y) * scale;
     context.lineWidth = 3;
     context.strokeStyle = context.fillStyle = '#fff';
-    if (side) {
-      context.strokeRect(left, bottom - side * scale, side * scale, side * scale);
+    if (side && $('cells').checked) {
+      context.strokeRect(left(x), top(y) - side * scale, side * scale, side * scale);
       for (let i = 0; i < 9; ++i) {
         context.beginPath();
-        context.arc(left + i % 3 * side * scale / 2,
-          bottom - Math.floor(i / 3) * side * scale / 2, 5, 0, 7);
+        context.arc(left(x + i % 3 * side / 2), top(y + Math.floor(i / 3) * side / 2), 5, 0, 7);
         context.fill();
       }
     }
@@ -50,35 +146,39 @@ export function startInside(core) {
     const py = (probe.row + 0.5) * 3;
     context.strokeStyle = '#000';
     context.strokeRect(px - 4, py - 4, 8, 8);
+    drawCell(cell);
     const where = side || Math.abs(distance) < IN_EM
       ? `${Math.abs(distance).toFixed(1)}/1024 em ${distance > 0 ? 'inside' : 'outside'}: ` +
         `${(Math.abs(distance) * 24 / IN_EM).toFixed(2)} px in text of 24 px.`
       : `Far ${distance > 0 ? 'inside' : 'outside'}.`;
     $('probe').textContent = where + (side
-      ? ` The cell is ${side}/1024 em wide, and keeps nine distances, at the dots.`
+      ? ` The cell is ${side}/1024 em wide, and keeps the nine distances at the dots.`
       : ' No edge is near: the cell keeps only whether it is inside or outside.');
   }
 
-  function draw() {
-    const image = new ImageData(POINTS, POINTS);
+  function paintField() {
     const step = field.side / POINTS;
-    for (let row = 0; row < POINTS; ++row) {
-      for (let column = 0; column < POINTS; ++column) {
-        const i = row * POINTS + column;
-        const p = 4 * i;
-        const {points} = field;
-        const next = column + 1 < POINTS ? p + 4 : p;
-        const below = row + 1 < POINTS ? p + 4 * POINTS : p;
-        const border = [next, below].some((q) =>
-          points[p + 1] !== points[q + 1] || points[p + 2] !== points[q + 2]);
-        const colour = colourOf(points[p] / 1024, step);
-        image.data.set(border ? colour.map((c) => c * 0.6 + 50) : colour, p);
-        image.data[p + 3] = 255;
-      }
-    }
-    small.getContext('2d').putImageData(image, 0, 0);
+    const {points} = field;
+    const [showField, showCells] = [$('distances').checked, $('cells').checked];
+    small.getContext('2d').putImageData(picture(POINTS, (column, row) => {
+      const p = 4 * (row * POINTS + column);
+      const distance = points[p] / 1024;
+      const colour = showField ? colourOf(distance, step)
+        : distance > 0 ? [196, 128, 84] : [28, 44, 70];
+      const next = column + 1 < POINTS ? p + 4 : p;
+      const below = row + 1 < POINTS ? p + 4 * POINTS : p;
+      const border = showCells && [next, below].some((q) =>
+        points[p + 1] !== points[q + 1] || points[p + 2] !== points[q + 2]);
+      return border ? colour.map((c) => c * 0.6 + 50) : colour;
+    }), 0, 0);
+    draw();
+  }
+
+  function draw() {
     context.imageSmoothingEnabled = false;
     context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    if (outline && $('hints-shown').checked) drawHints();
+    if (outline && $('points-shown').checked) drawPoints();
     drawProbe();
   }
 
@@ -86,12 +186,18 @@ export function startInside(core) {
     const char = [...$('glyph').value.trim()][0];
     if (!char) return;
     try {
+      outline = core.points(char);
+      const count = outline.points.filter(({kind}) => kind !== 3).length;
+      const bars = outline.heights.map(([kind]) => BAR_KINDS[kind]);
+      $('outline-size').textContent = `${count} points; hints: ` +
+        ([...bars, ...outline.stems.map(([foot]) => foot ? 'foot' : 'stem')].join(', ') ||
+          'none') + '.';
       field = core.field(char, POINTS);
       $('field-size').textContent = `${field.cells} cells, ` +
-        `${field.bytes.toLocaleString('en')} bytes, made of an outline in the font.`;
-      draw();
+        `${field.bytes.toLocaleString('en')} bytes, made of these points by the device.`;
+      paintField();
     } catch (error) {
-      $('field-size').textContent = `'${char}': ${error.message}`;
+      $('field-size').textContent = `'${char}': ${/** @type {Error} */ (error).message}`;
     }
   }
 
@@ -100,20 +206,25 @@ export function startInside(core) {
     Object.assign(probe, {column: within(column), row: within(row)});
     if (field) draw();
   };
-  canvas.onpointermove = canvas.onpointerdown = (event) => {
+  canvas.onpointermove = canvas.onpointerdown = (/** @type {PointerEvent} */ event) => {
     const box = canvas.getBoundingClientRect();
     move((event.clientX - box.left) * POINTS / box.width - 0.5,
       (event.clientY - box.top) * POINTS / box.height - 0.5);
   };
-  canvas.onkeydown = (event) => {
+  canvas.onkeydown = (/** @type {KeyboardEvent} */ event) => {
     const step = event.shiftKey ? 10 : 1;
-    const [x, y] = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
-      ArrowDown: [0, step]}[event.key] || [];
-    if (x === undefined) return;
+    /** @type {Record<string, number[]>} */
+    const steps = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
+      ArrowDown: [0, step]};
+    if (!(event.key in steps)) return;
     event.preventDefault();
+    const [x, y] = steps[event.key];
     move(probe.column + x, probe.row + y);
   };
   $('glyph').oninput = look;
+  for (const id of ['distances', 'cells', 'points-shown', 'hints-shown']) {
+    $(id).onchange = () => { if (field) paintField(); };
+  }
   // Made when it comes into view, and anew for another font.
   let seen = false;
   new IntersectionObserver(([entry]) => {

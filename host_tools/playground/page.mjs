@@ -2,21 +2,14 @@
 import {Core} from '../../port/web/inkcell.mjs';
 import {drawClock} from './clock.mjs';
 import {startConverter} from './convert.mjs';
+import {$, bytesOf, copyLink, reset, restore} from './dom.mjs';
 import {startInside} from './inside.mjs';
+import {keepOffline, part, scriptOf} from './parts.mjs';
 import {Screen} from './screen.mjs';
 
-const $ = (id) => document.getElementById(id);
 const still = matchMedia('(prefers-reduced-motion: reduce)');
-const bytesOf = (number) => `${number.toLocaleString('en')} bytes`;
 
-/** A file that build.mjs has put into the page: gzip in base 64. */
-async function unpacked(id) {
-  const packed = Uint8Array.from(atob($(id).textContent), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-const core = await Core.load(await unpacked('core-data'));
+const core = await Core.load(await part('core.wasm'));
 const screens = {
   oled: new Screen($('oled'), {format: 'mono-pages', width: 128, height: 64, ink: 1,
     glow: 1, paper: 0, gap: '#000', tint: ([on]) => on ? [176, 232, 255] : [7, 10, 14]}),
@@ -150,12 +143,8 @@ function tick() {
 }
 
 // Controls, whose values are in the link.
-const kept = [...document.querySelectorAll('[data-keep]')];
-const usualOf = (control) => control.matches('select')
-  ? control.options[0].value : control.defaultValue;
-const link = new URLSearchParams(location.hash.slice(1));
-for (const control of kept) {
-  if (link.has(control.id)) control.value = link.get(control.id);
+restore(document.querySelectorAll('[data-keep]'));
+for (const control of document.querySelectorAll('#try [data-keep]')) {
   control.addEventListener('input', () => {
     cancelAnimationFrame(sweeping);
     sweeping = 0;
@@ -171,36 +160,25 @@ function showValues() {
 }
 $('sweep').onclick = sweep;
 $('plain').onclick = () => {
-  for (const control of document.querySelectorAll('.look [data-keep]')) {
-    control.value = usualOf(control);
-  }
+  reset(document.querySelectorAll('.look [data-keep]'));
   showValues();
   draw();
 };
-$('link').onclick = async () => {
-  const values = new URLSearchParams(kept
-    .filter((control) => control.value !== usualOf(control))
-    .map((control) => [control.id, control.value]));
-  history.replaceState(null, '', `#${values}`);
-  try {
-    await navigator.clipboard.writeText(location.href);
-    $('note').textContent = 'Copied.';
-  } catch {
-    $('note').textContent = 'The link is in the address bar.';
-  }
-};
+$('link').onclick = () => copyLink($('note'));
 new ResizeObserver(draw).observe(document.body);
 
-const builtIn = await unpacked('font-data');
+const builtIn = await part('font.bin');
 usual = builtIn.length;
 showValues();
 setFont(builtIn, 'DejaVu Sans, 95 characters: this font, any size');
 startConverter({
-  fontgen: () => unpacked('fontgen-data'),
-  worker: () => unpacked('worker-data'),
+  core,
+  fontgen: () => part('fontgen.wasm'),
+  worker: () => scriptOf('worker.js'),
   screenText: () => $('text').value,
   show: setFont,
 });
+keepOffline();
 document.body.dataset.ready = Math.round(performance.now());
 if (!still.matches && !location.hash) sweep();
 tick();

@@ -9,6 +9,7 @@ namespace {
 
 alignas(4) uint8_t ram[1 << 17];
 constexpr int32_t kMargin = 128;  // around the ink [u]
+GlyphField field;                 // of the last glyph that was asked for, in ram
 
 // The middle of the part `index` of `count` that a side has. [u, Q16]
 int32_t middle_q16(int32_t index, int32_t side, int32_t count) {
@@ -34,7 +35,6 @@ inkcell_status_t web_field(const web_job_t* job, uint32_t code_point) {
   FieldLimits limits;
   limits.band_u = kMargin;
   limits.tolerance = Q22_10::from_int(3);
-  GlyphField field;
   const Status made = generate_field(font, font.glyph_or_notdef(code_point),
                                      limits, ram, field);
   if (made != Status::ok) {
@@ -77,4 +77,9 @@ inkcell_status_t web_field(const web_job_t* job, uint32_t code_point) {
     }
   }
   return INKCELL_OK;
+}
+
+int32_t web_distance(int32_t x_q16, int32_t y_q16) {
+  return distance_at(field, Q16_16::from_raw(x_q16), Q16_16::from_raw(y_q16))
+      .raw;
 }

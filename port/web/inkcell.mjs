@@ -190,4 +190,23 @@ export class Core {
     const [x, y, side, bytes, cells, ...points] = new Int32Array(memory.pixels.buffer);
     return {x, y, side, bytes, cells, points};
   }
+
+  /** The distance at a point [u] of the glyph that field() was asked for. [u] */
+  distance(x, y) {
+    return this.code.web_distance(x * 65536, y * 65536) / 1024;
+  }
+
+  /** The points and hints of a character: see web_points in web.h. [u] */
+  points(char) {
+    const memory = new Display('a8', 256, 256);
+    this.call('points', memory, {size: 16, colour: 0}, '', 0, 0, char.codePointAt(0));
+    const numbers = new Int32Array(memory.pixels.buffer);
+    let at = 0;
+    const list = (width) => {
+      const count = numbers[at++];
+      return Array.from({length: count}, () => [...numbers.subarray(at, at += width)]);
+    };
+    return {points: list(3).map(([x, y, kind]) => ({x: x / 256, y: y / 256, kind})),
+      zones: list(2), heights: list(3), stems: list(3)};
+  }
 }

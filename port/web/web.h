@@ -93,6 +93,18 @@ inkcell_status_t web_morph(const web_job_t* job,
 inkcell_status_t web_field(const web_job_t* job, uint32_t code_point);
 enum { WEB_FIELD_HEAD = 5 };
 
+/// The distance in the field that web_field() has made last. [u, Q10]
+int32_t web_distance(int32_t x_q16, int32_t y_q16);
+
+/// Decodes the points and hints of a character. `pixels` then holds numbers of
+/// 32 bits: how many points there are, and of each x, y [u, Q8] and its kind (0
+/// off the curve, 1 smooth, 2 a corner, 3 a corner that begins a contour); how
+/// many zones, and of each the height of flat edges and how far round ones pass
+/// it; how many hints of heights, and of each its kind (0 bar, 1 serif, 2 edge,
+/// 3 free end) and both heights; how many of stems, and of each whether it is
+/// the foot of a diagonal, and both sides. [u] NO_GLYPH: there is no outline.
+inkcell_status_t web_points(const web_job_t* job, uint32_t code_point);
+
 /// The sink that a job asks for, used by all that draw.
 typedef union web_target_t {
   inkcell_a8_target_t a8;

@@ -5,7 +5,7 @@
 // JOBS is a row of 23 numbers of 32 bits a picture: the members of web_job_t
 // from `width` on, the bytes of its pixels, which begin as a pattern, and for a
 // morph its box, both characters and its progress; of a field a box of width -1
-// and its character.
+// and its character, of points a box of width -2.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -51,11 +51,12 @@ int main(int argc, char** argv) {
     job.pixels = pixels.data();
     job.pixels_size = pixels.size();
     const int status =
-        more[1] == -1  ? web_field(&job, static_cast<uint32_t>(more[4]))
-        : more[1] == 0 ? web_draw(&job)
-                       : web_morph(&job, more[1], more[2], more[3],
-                                   static_cast<uint32_t>(more[4]),
-                                   static_cast<uint32_t>(more[5]), more[6]);
+        more[1] == -2   ? web_points(&job, static_cast<uint32_t>(more[4]))
+        : more[1] == -1 ? web_field(&job, static_cast<uint32_t>(more[4]))
+        : more[1] == 0  ? web_draw(&job)
+                        : web_morph(&job, more[1], more[2], more[3],
+                                    static_cast<uint32_t>(more[4]),
+                                    static_cast<uint32_t>(more[5]), more[6]);
     out.put(static_cast<char>(status));
     out.write(reinterpret_cast<const char*>(pixels.data()),
               static_cast<std::streamsize>(pixels.size()));

@@ -43,12 +43,17 @@ for (const format of FORMATS) {
   }
 }
 for (const char of ['g', '@', ' ']) pictures.push({field: char});
+for (const char of ['g', 'H', ' ']) pictures.push({points: char});
 
 const pattern = (display) => {
   display.pixels.forEach((_, i) => { display.pixels[i] = i * 37 >> 3; });
   return display;
 };
-const rows = pictures.flatMap(({format, kind, look, morph, field}) => {
+const rows = pictures.flatMap(({format, kind, look, morph, field, points}) => {
+  if (points) {
+    return [...jobWords(new Display('a8', 256, 256), {size: 16, colour: 0}, 0, 0),
+      256 * 256, -2, 0, 0, points.codePointAt(0), 0, 0];
+  }
   if (field) {
     return [...jobWords(new Display('a8', 40, 40), {size: 16, colour: 0}, 0, 0),
       20 + 16 * 40 * 40, -1, 0, 0, field.codePointAt(0), 0, 0];
@@ -65,15 +70,43 @@ execFileSync(program, [fontFile, `${folder}/jobs.bin`, `${folder}/pictures.bin`]
 const wanted = readFileSync(`${folder}/pictures.bin`);
 let at = 0;
 let drawn = 0;
-for (const {format, kind, look, morph, field} of pictures) {
+for (const {format, kind, look, morph, field, points} of pictures) {
+  if (points) {
+    const status = wanted[at];
+    if (status === 0) {
+      const numbers = new Int32Array(
+        Uint8Array.from(wanted.subarray(at + 1, at + 1 + 256 * 256)).buffer);
+      const got = core.points(points);
+      assert.deepEqual([got.points.length, ...got.points.flatMap(({x, y, kind: what}) =>
+        [x * 256, y * 256, what]), got.zones.length, ...got.zones.flat(),
+      got.heights.length, ...got.heights.flat(), got.stems.length, ...got.stems.flat()],
+      [...numbers.subarray(0, 4 + 3 * numbers[0] + 2 * got.zones.length +
+        3 * (got.heights.length + got.stems.length))], `points of ${points}`);
+      assert.equal(got.points[0].kind, 3);
+      assert.ok(got.zones.length > 2 && got.heights.length > 0 && got.stems.length > 0);
+      assert.ok(got.points.length > 10 && got.points.every(({x, y}) =>
+        x > -50 && x < 1024 && y > -300 && y < 1024));
+    } else {
+      assert.throws(() => core.points(points), /no glyph/);
+      assert.equal(points, ' ');
+    }
+    at += 1 + 256 * 256;
+    drawn += 1;
+    continue;
+  }
   if (field) {
     const size = 20 + 16 * 40 * 40;
     if (wanted[at] === 0) {
-      const {x, y, side, bytes, cells, points} = core.field(field, 40);
-      const got = Int32Array.of(x, y, side, bytes, cells, ...points);
+      const {x, y, side, bytes, cells, points: samples} = core.field(field, 40);
+      const got = Int32Array.of(x, y, side, bytes, cells, ...samples);
       assert.ok(wanted.subarray(at + 1, at + 1 + size).equals(new Uint8Array(got.buffer)),
         `field of ${field}`);
-      assert.ok(Math.max(...points.filter((_, i) => i % 4 === 0)) > 20 << 10);
+      for (let i = 0; i < 40 * 40; i += 77) {
+        const [column, row] = [i % 40, 39 - Math.floor(i / 40)];
+        assert.equal(core.distance(...[[x, column], [y, row]].map(([low, n]) =>
+          low + Math.floor((2 * n + 1) * side * 32768 / 40) / 65536)), samples[4 * i] / 1024);
+      }
+      assert.ok(Math.max(...samples.filter((_, i) => i % 4 === 0)) > 20 << 10);
       assert.ok(cells > 20 && bytes > 500);
     } else {
       assert.throws(() => core.field(field, 40), /no glyph/);

@@ -1,0 +1,92 @@
+// What the controls ask for, as the generator's command line and for CMake.
+import {$} from './dom.mjs';
+
+/** @param {string} name */
+export const isIcon = (name) => /\.svg$/i.test(name);
+/** @param {string} name */
+export const isFont = (name) => /\.(ttf|otf|ttc|otc|woff2?)$/i.test(name);
+/** @param {string} name */
+const isSource = (name) => /\.([ch]|cc|cpp|cxx|hh|hpp|hxx|ino)$/i.test(name);
+
+/** An identifier of C from a file's name. @param {string} name */
+export const identifier = (name) =>
+  name.replace(/\.\w+$/, '').replace(/\W+/g, '_').replace(/^(\d|$)/, 'font_$1');
+
+/** A word of a shell's line. @param {string} word */
+export const quoted = (word) => /^[\w.,:=+%/-]+$/.test(word)
+  ? word : `'${word.replaceAll("'", "'\\''")}'`;
+
+/**
+ * The characters of a text that no list such as 0x20-0x7E,0xB0 has.
+ * @param {string[]} lists @param {string} text
+ */
+function beyond(lists, text) {
+  const ranges = lists.flatMap((list) => list.split(','))
+    .map((range) => range.split('-').map(Number));
+  return [...new Set(text)].filter((char) => !ranges.some(([first, last = first]) => {
+    const code = char.codePointAt(0) ?? 0;
+    return first <= code && code <= last;
+  })).join('');
+}
+
+/**
+ * @param {string[]} names of the files
+ * @param {string} screenText
+ */
+export function argumentsOf(names, screenText) {
+  const font = names.find(isFont);
+  const args = font ? ['--font', font] : [];
+  /** @param {string} option @param {string[]} values */
+  const add = (option, ...values) => values.forEach((value) => args.push(option, value));
+  const lists = [...document.querySelectorAll('[name=set]:checked')]
+    .map((/** @type {any} */ set) => set.value);
+  const more = beyond(lists, $('symbols').value + ($('mine').checked ? screenText : ''));
+  if (font) {
+    if (!$('face-label').hidden) add('--face', $('face').value);
+    add('--chars', ...lists);
+    if (more) add('--symbols', more);
+    const texts = names.filter((name) => !isFont(name) && !isIcon(name));
+    add('--strings-from', ...texts.filter(isSource));
+    add('--text-file', ...texts.filter((name) => !isSource(name)));
+  }
+  names.filter(isIcon).forEach((name, i) =>
+    add('--svg', `${name}=0x${(0xE000 + i).toString(16).toUpperCase()}`));
+  for (const /** @type {any} */ axis of document.querySelectorAll('#axes input')) {
+    if (axis.value !== axis.dataset.usual) add('--axis', `${axis.dataset.tag}=${axis.value}`);
+  }
+  if ($('min').value !== '8') add('--min-px', $('min').value);
+  if ($('max').value !== '64') add('--max-px', $('max').value);
+  const precision = $('precision').value;
+  if (precision === 'budget') add('--budget', `${$('budget').value}K`);
+  else if (precision) add('--tolerance', precision), args.push('--best-effort');
+  if ($('coding').value !== 'outline') add('--coding', $('coding').value);
+  if (!$('hints').checked) add('--hints', 'off');
+  return {args, name: identifier(font || 'icons')};
+}
+
+/** Arguments without those of characters. @param {string[]} args */
+export const withoutCharacters = (args) => args.filter((_, i) =>
+  !['--chars', '--symbols', '--strings-from', '--text-file'].some((option) =>
+    [args[i], args[i - 1]].includes(option)));
+
+/**
+ * The line of CMake with the same arguments.
+ * @param {string[]} args @param {string} name
+ */
+export function cmakeOf(args, name) {
+  const words = [];
+  let last = '';
+  for (let i = 0; i < args.length; ++i) {
+    const option = args[i].slice(2).replaceAll('-', '_').toUpperCase();
+    if (option === 'BEST_EFFORT') {
+      words.push(option);
+      continue;
+    }
+    const value = args[++i];
+    // A list names its option once.
+    words.push(...(option === last ? [] : [option]),
+      /[\s";#$()\\]/.test(value) ? `[==[${value}]==]` : value);
+    last = option;
+  }
+  return `inkcell_add_font(app NAME ${name} ${words.join(' ')})`;
+}
