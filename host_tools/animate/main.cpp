@@ -223,7 +223,7 @@ void play(const Arguments& arguments, Player& player, Size size) {
     });
     Image frame = memory.picture();
     std::array<Rect, 8> room;
-    kinetic::DirtyRects dirty({room.data(), room.size()});
+    DirtyRects dirty({room.data(), room.size()});
     player.add_changes(dirty);
     if (i != 0) {
       compare(before, frame, dirty.rects(), number >= due, tally);

@@ -101,7 +101,7 @@ class ScenePlayer : public Player {
   void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
 
   void draw(const scenes::Paper& paper) override { scene_.draw(paper); }
-  void add_changes(kinetic::DirtyRects& dirty) const override {
+  void add_changes(DirtyRects& dirty) const override {
     scene_.add_changes(dirty);
   }
   uint32_t next_due() const override { return scene_.next_due(); }

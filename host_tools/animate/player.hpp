@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "paper.hpp"
 
 namespace inkcell::tools {
@@ -31,7 +31,7 @@ class Player {
   virtual void set_frame(uint32_t frame) = 0;
   /// Draws the frame on a strip.
   virtual void draw(const scenes::Paper& paper) = 0;
-  virtual void add_changes(kinetic::DirtyRects& dirty) const = 0;
+  virtual void add_changes(DirtyRects& dirty) const = 0;
   virtual uint32_t next_due() const = 0;
   /// The state that the frame depends on: little-endian numbers.
   virtual std::vector<uint8_t> state() const = 0;

@@ -10,6 +10,7 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/lcd.hpp"
+#include "inkcell/port/strip_loop.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -54,7 +55,7 @@ struct Scene {
   DrawStats* stats;
 };
 
-void draw_strip(void* context, const Strip& strip) {
+Status draw_strip(void* context, const Strip& strip) {
   const Scene& scene = *static_cast<const Scene*>(context);
   std::memset(
       strip.pixels.data, 0,
@@ -66,16 +67,17 @@ void draw_strip(void* context, const Strip& strip) {
   const Sink& sink = is_grey ? static_cast<const Sink&>(grey) : colour;
   if (scene.stats == nullptr) {
     draw_lines(scene.font, scene.lines, scene.origins, scene.style, sink);
-    return;
+    return Status::ok;
   }
   ++scene.stats->strips;
   CountingSink counting(sink, *scene.stats);
   draw_lines(scene.font, scene.lines, scene.origins, scene.style,
              counting.sink());
+  return Status::ok;
 }
 
 // Lays the strip over the picture, as sinks blend coverage.
-void flush_strip(void* context, const Strip& strip) {
+Status flush_strip(void* context, const Strip& strip) {
   Image& image = static_cast<Scene*>(context)->image;
   for (int32_t y = 0; y < strip.height; ++y) {
     const uint8_t* from = strip.pixels.data + y * strip.stride;
@@ -85,6 +87,7 @@ void flush_strip(void* context, const Strip& strip) {
       to[i] = static_cast<uint8_t>(over + ((255 - over) * to[i] + 127) / 255);
     }
   }
+  return Status::ok;
 }
 
 }  // namespace
@@ -244,13 +247,14 @@ void draw_lines(const Font& font,
   const int32_t stride = image.width * image.channels;
   std::vector<uint8_t> buffer(static_cast<size_t>(stride) *
                               static_cast<size_t>(rows));
-  StripLoop loop;
+  port::StripLoop loop;
   loop.buffer = {buffer.data(), buffer.size()};
   loop.width = image.width;
   loop.height = image.height;
-  loop.rows = rows;
-  loop.stride = stride;
+  loop.format = image.channels == 1 ? port::PixelFormat::grey8
+                                    : port::PixelFormat::rgb888;
   loop.context = &scene;
+  loop.display = &scene;
   loop.draw = draw_strip;
   loop.flush = flush_strip;
   if (run_strips(loop) != Status::ok) {

@@ -5,6 +5,7 @@
 
 #include "inkcell/port/framebuffer.hpp"
 #include "inkcell/port/lcd.hpp"
+#include "inkcell/port/strip_loop.hpp"
 #include "look.hpp"
 
 namespace inkcell::tools {
@@ -148,32 +149,25 @@ void DisplayMemory::show(int rows,
     draw(whole);
     return;
   }
-  struct Context {
-    port::Framebuffer display;
-    const std::function<void(const Strip&)>& draw;
-    Status status;
-  } context = {
-      {{bytes_.data(), bytes_.size()}, info_.format, width_, height_, stride_},
-      draw,
-      Status::ok};
+  port::Framebuffer display = {
+      {bytes_.data(), bytes_.size()}, info_.format, width_, height_, stride_};
   std::vector<uint8_t> buffer(strip_bytes(rows));  // aligned to more than 4
-  StripLoop loop;
+  port::StripLoop loop;
   loop.buffer = {buffer.data(), buffer.size()};
   loop.width = width_;
   loop.height = height_;
-  loop.rows = whole_rows(rows);
-  loop.stride = stride_;
-  loop.rows_per_stride = port::rows_per_stride(info_.format);
+  loop.format = info_.format;
+  auto context = &draw;
   loop.context = &context;
   loop.draw = [](void* to, const Strip& strip) {
-    static_cast<Context*>(to)->draw(strip);
+    (**static_cast<decltype(&draw)*>(to))(strip);
+    return Status::ok;
   };
+  loop.display = &display;
   loop.flush = [](void* to, const Strip& strip) {
-    Context& self = *static_cast<Context*>(to);
-    const Status status = port::write(self.display, strip);
-    self.status = status == Status::ok ? self.status : status;
+    return port::write(*static_cast<port::Framebuffer*>(to), strip);
   };
-  if (run_strips(loop) != Status::ok || context.status != Status::ok) {
+  if (run_strips(loop) != Status::ok) {
     throw std::runtime_error(
         std::string(info_.name) + " of " + std::to_string(width_) + "x" +
         std::to_string(height_) + " px, strips of " + std::to_string(rows) +

@@ -137,7 +137,7 @@ inkcell_status_t web_sink(const web_job_t* job,
       return (dithered ? inkcell_mono_pages_dithered_sink
                        : inkcell_mono_pages_sink)(&target->mono_pages, out);
     case INKCELL_RGB565:
-      TARGET(rgb565, INKCELL_RGB565, rgb565_of(job->colour), INKCELL_LOW_FIRST);
+      TARGET(rgb565, INKCELL_RGB565, rgb565_of(job->colour));
       return (lcd ? inkcell_rgb565_lcd_sink : inkcell_rgb565_sink)(
           &target->rgb565, out);
     case INKCELL_RGB888:

@@ -11,6 +11,7 @@
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/strip_loop.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "styles.hpp"
 
@@ -115,7 +116,9 @@ bool draw_mono_pages(const Strip& strip) {
 
 template <ByteOrder kOrder>
 bool draw_rgb565(const Strip& strip) {
-  return draw_lines(Rgb565Canvas(strip, 0xfd88, kOrder));
+  Strip ordered = strip;
+  ordered.order = kOrder;
+  return draw_lines(Rgb565Canvas(ordered, 0xfd88));
 }
 
 template <ChannelOrder kOrder>
@@ -179,12 +182,11 @@ struct Loop {
   const DrawnPage* page;
   TakeStrip take;
   void* context;
-  bool drawn;
 };
 
 // Dark above, a half-tone below: 85 of 255 in every depth.
-void draw_strip(void* context, const Strip& strip) {
-  auto& loop = *static_cast<Loop*>(context);
+Status draw_strip(void* context, const Strip& strip) {
+  const auto& loop = *static_cast<const Loop*>(context);
   const bool in_pages = loop.page->page.format == PixelFormat::mono_pages;
   const int32_t step = in_pages ? 8 : 1;
   uint8_t* at = strip.pixels.data;
@@ -193,12 +195,13 @@ void draw_strip(void* context, const Strip& strip) {
       *at++ = strip.y0 + y < 120 ? 0 : 0x55;
     }
   }
-  loop.drawn &= loop.page->draw(strip);
+  return loop.page->draw(strip) ? Status::ok : Status::bad_argument;
 }
 
-void take_strip(void* context, const Strip& strip) {
-  const auto& loop = *static_cast<Loop*>(context);
+Status take_strip(void* context, const Strip& strip) {
+  const auto& loop = *static_cast<const Loop*>(context);
   loop.take(loop.context, strip);
+  return Status::ok;
 }
 
 }  // namespace
@@ -217,18 +220,17 @@ bool draw_page(int number,
       buffer.size < page_buffer_bytes(format, rows)) {
     return false;
   }
-  Loop loop = {&kPages[number], take, context, true};
+  Loop loop = {&kPages[number], take, context};
   StripLoop strips;
-  strips.buffer = buffer;
+  strips.buffer = {buffer.data, page_buffer_bytes(format, rows)};
+  strips.format = format;
   strips.width = kPageWidth;
   strips.height = kPageHeight;
-  strips.rows = rows;
-  strips.stride = stride_bytes(format, kPageWidth);
-  strips.rows_per_stride = port::rows_per_stride(format);
   strips.context = &loop;
   strips.draw = draw_strip;
+  strips.display = &loop;
   strips.flush = take_strip;
-  return run_strips(strips) == Status::ok && loop.drawn;
+  return run_strips(strips) == Status::ok;
 }
 
 }  // namespace golden

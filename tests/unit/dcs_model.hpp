@@ -205,7 +205,9 @@ void check_shown(const DcsModel& model,
 inline constexpr auto kAll = [](int32_t, int32_t) { return true; };
 
 inline Rgb565Canvas make_canvas() {
-  return Rgb565Canvas({}, rgb565(0xff, 0x80, 0x20), ByteOrder::high_first);
+  Strip strip;
+  strip.order = ByteOrder::high_first;
+  return Rgb565Canvas(strip, rgb565(0xff, 0x80, 0x20));
 }
 
 }  // namespace dcs_model

@@ -64,7 +64,8 @@ Strip reference(Canvas canvas,
                     0,
                     width,
                     height,
-                    port::stride_bytes(format, width)});
+                    port::stride_bytes(format, width),
+                    canvas.strip().order});
   draw_page(canvas, background);
   int64_t drawn = 0;
   for (const uint8_t byte : canvas.strip().pixels) {
@@ -86,7 +87,7 @@ void show_page(const Canvas& canvas,
                const Write& write) {
   static uint8_t pixels[kMaxBytes];
   Canvas piece = canvas;
-  Strip strip;
+  Strip strip = canvas.strip();
   strip.x0 = part.x0;
   strip.width = part.x1 - part.x0;
   strip.stride = port::stride_bytes(format, strip.width) + gap;

@@ -93,14 +93,15 @@ TEST(styles_out_of_range_are_refused) {
 TEST(sinks_that_do_not_fit_are_refused) {
   uint8_t pixels[16] = {};
   inkcell_mono_rows_target_t rows = {
-      {pixels, sizeof pixels, 0, 0, 32, 4, 4}, 0, 1, INKCELL_HIGH_LEFT};
+      {pixels, sizeof pixels, 0, 0, 32, 4, 4, 0}, 0, 1, INKCELL_HIGH_LEFT};
   inkcell_sink_t sink;
   CHECK_EQ(inkcell_mono_rows_sink(&rows, &sink), INKCELL_BAD_ARGUMENT);
   CHECK_EQ(sink.window.x1, 0);
   rows.threshold = 128;
   CHECK_EQ(inkcell_mono_rows_sink(&rows, &sink), INKCELL_OK);
   CHECK_EQ(sink.window.x1, 32);
-  inkcell_grey8_target_t grey = {{pixels, sizeof pixels, 0, 0, 5, 4, 5}, 255};
+  inkcell_grey8_target_t grey = {{pixels, sizeof pixels, 0, 0, 5, 4, 5, 0},
+                                 255};
   CHECK_EQ(inkcell_grey8_sink(&grey, &sink), INKCELL_BUFFER_SMALL);
   grey.strip.stride = 4;
   CHECK_EQ(inkcell_grey8_sink(&grey, &sink), INKCELL_BAD_ARGUMENT);
@@ -131,23 +132,32 @@ TEST(caches_and_loops_are_checked) {
   loop.size = sizeof buffer;
   loop.width = 4;
   loop.height = 3;
-  loop.rows = 2;
-  loop.stride = 4;
-  loop.rows_per_stride = 1;
-  CHECK_EQ(inkcell_run_strips(&loop), INKCELL_BAD_ARGUMENT);
+  loop.format = INKCELL_GREY8;
+  CHECK_EQ(inkcell_run_strips(&loop, nullptr), INKCELL_BAD_ARGUMENT);
   int32_t rows[2] = {};
   loop.context = rows;
+  loop.display = rows;
   loop.draw = [](void* context, const inkcell_strip_t* strip) {
     static_cast<int32_t*>(context)[0] += strip->height;
+    return inkcell_status_t{INKCELL_OK};
   };
   loop.flush = [](void* context, const inkcell_strip_t* strip) {
     static_cast<int32_t*>(context)[1] += strip->y0;
+    return strip->width == 1 ? inkcell_status_t{INKCELL_NO_GLYPH}
+                             : inkcell_status_t{INKCELL_OK};
   };
-  CHECK_EQ(inkcell_run_strips(&loop), INKCELL_OK);
+  CHECK_EQ(inkcell_run_strips(&loop, nullptr), INKCELL_OK);
   CHECK_EQ(rows[0], 3);
   CHECK_EQ(rows[1], 2);
-  loop.size = 7;
-  CHECK_EQ(inkcell_run_strips(&loop), INKCELL_BUFFER_SMALL);
+  const inkcell_rect_t part = {3, 1, 9, 9};
+  CHECK_EQ(inkcell_run_strips(&loop, &part), INKCELL_NO_GLYPH);
+  CHECK_EQ(rows[0], 5);
+  CHECK_EQ(rows[1], 3);
+  loop.second = buffer;
+  CHECK_EQ(inkcell_run_strips(&loop, nullptr), INKCELL_BAD_ARGUMENT);
+  loop.second = nullptr;
+  loop.size = 3;
+  CHECK_EQ(inkcell_run_strips(&loop, nullptr), INKCELL_BUFFER_SMALL);
 }
 
 TEST(motions_and_splats_are_checked) {

@@ -101,7 +101,8 @@ TEST(canvases_take_other_strips) {
 }
 
 TEST(colours_change_between_calls) {
-  Rgb565Canvas canvas({{bytes, 4}, 0, 0, 2, 1, 4}, 0, ByteOrder::high_first);
+  Strip strip = {{bytes, 4}, 0, 0, 2, 1, 4, ByteOrder::high_first};
+  Rgb565Canvas canvas(strip, 0);
   canvas.set_colour(rgb565(255, 0, 0));
   canvas.solid(canvas.context, 0, 0, 1);
   canvas.set_colour(rgb565(0, 0, 255));
@@ -110,7 +111,8 @@ TEST(colours_change_between_calls) {
   CHECK_EQ(bytes[1], 0);
   CHECK_EQ(bytes[2], 0);
   CHECK_EQ(bytes[3], 0x1f);
-  canvas.set_order(ByteOrder::low_first);
+  strip.order = ByteOrder::low_first;
+  canvas.set_strip(strip);
   canvas.solid(canvas.context, 1, 0, 1);
   CHECK_EQ(bytes[2], 0x1f);
 }

@@ -19,7 +19,7 @@ void check_page(DcsModel& model,
                 const Display& display,
                 int32_t rows,
                 int32_t gap) {
-  const DcsPanel& panel = display.panel;
+  const DcsPanel& panel = display;
   const Rect all = {0, 0, screen_width(panel), screen_height(panel)};
   CHECK_OK(init(display));
   CHECK(model.on && model.normal);
@@ -46,15 +46,15 @@ TEST(st7735_shows_text_at_offsets) {
     for (const bool mirrored : kBoth) {
       DcsModel model(132, 162);
       St7735 display;
-      display.panel.bus = model.bus();
-      display.panel.width = 80;
-      display.panel.height = 160;
-      display.panel.first_column = 24;
-      display.panel.first_row = 1;
-      display.panel.rotation = rotation;
-      display.panel.mirror_columns = mirrored;
-      display.panel.blue_first = mirrored;
-      display.panel.inverted = true;
+      display.bus = model.bus();
+      display.width = 80;
+      display.height = 160;
+      display.first_column = 24;
+      display.first_row = 1;
+      display.rotation = rotation;
+      display.mirror_columns = mirrored;
+      display.blue_first = mirrored;
+      display.inverted = true;
       check_page(model, display, 40, 2);
     }
   }
@@ -63,10 +63,10 @@ TEST(st7735_shows_text_at_offsets) {
 TEST(st7735_has_a_small_memory_by_pins) {
   DcsModel model(128, 160);
   St7735 display;
-  display.panel.bus = model.bus();
-  display.panel.width = 128;
-  display.panel.height = 160;
-  display.panel.rotation = Rotation::half;
+  display.bus = model.bus();
+  display.width = 128;
+  display.height = 160;
+  display.rotation = Rotation::half;
   display.gm_011 = true;
   check_page(model, display, 160, 0);
 }
@@ -75,12 +75,12 @@ TEST(st7789_shows_text_at_offsets) {
   for (const Rotation rotation : kRotations) {
     DcsModel model(240, 320);
     St7789 display;
-    display.panel.bus = model.bus();
-    display.panel.width = 135;
-    display.panel.height = 240;
-    display.panel.first_column = 52;
-    display.panel.first_row = 40;
-    display.panel.rotation = rotation;
+    display.bus = model.bus();
+    display.width = 135;
+    display.height = 240;
+    display.first_column = 52;
+    display.first_row = 40;
+    display.rotation = rotation;
     check_page(model, display, 64, 0);
   }
 }
@@ -90,12 +90,12 @@ TEST(ili9341_shows_text_mirrored) {
     for (const bool mirrored : kBoth) {
       DcsModel model(240, 320);
       Ili9341 display;
-      display.panel.bus = model.bus();
-      display.panel.width = 240;
-      display.panel.height = 320;
-      display.panel.rotation = rotation;
-      display.panel.mirror_columns = true;
-      display.panel.mirror_rows = mirrored;
+      display.bus = model.bus();
+      display.width = 240;
+      display.height = 320;
+      display.rotation = rotation;
+      display.mirror_columns = true;
+      display.mirror_rows = mirrored;
       check_page(model, display, 100, 0);
     }
   }
@@ -107,11 +107,11 @@ TEST(strips_of_any_height_show_the_same) {
   for (const int32_t rows : kHeights) {
     DcsModel model(132, 162);
     St7735 display;
-    display.panel.bus = model.bus();
-    display.panel.width = 128;
-    display.panel.height = 160;
-    display.panel.first_column = 2;
-    display.panel.first_row = 1;
+    display.bus = model.bus();
+    display.width = 128;
+    display.height = 160;
+    display.first_column = 2;
+    display.first_row = 1;
     check_page(model, display, rows, 0);
   }
 }
@@ -120,10 +120,10 @@ TEST(windows_have_their_own_place) {
   for (const Rotation rotation : kRotations) {
     DcsModel model(240, 320);
     St7789 display;
-    display.panel.bus = model.bus();
-    display.panel.width = 240;
-    display.panel.height = 240;
-    display.panel.rotation = rotation;
+    display.bus = model.bus();
+    display.width = 240;
+    display.height = 240;
+    display.rotation = rotation;
     CHECK_OK(init(display));
     const Rect part = {31, 57, 140, 190};
     const Rgb565Canvas canvas = make_canvas();
@@ -131,7 +131,7 @@ TEST(windows_have_their_own_place) {
         canvas, kFormat, part, 30, 0, 0,
         [&display](const Strip& strip) { return write(display, strip); });
     const Strip picture = display_page::reference(canvas, kFormat, 240, 240, 0);
-    check_shown(model, display.panel, picture, [&part](int32_t x, int32_t y) {
+    check_shown(model, display, picture, [&part](int32_t x, int32_t y) {
       return x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
     });
   }
@@ -142,10 +142,10 @@ TEST(setup_is_sent_before_the_controller_wakes) {
   constexpr uint8_t kSent[] = {0xb1, 0x00, 0x18, 0xfe, 0xf2, 0x00};
   DcsModel model(240, 320);
   Ili9341 display;
-  display.panel.bus = model.bus();
-  display.panel.width = 240;
-  display.panel.height = 320;
-  display.panel.setup = kSetup;
+  display.bus = model.bus();
+  display.width = 240;
+  display.height = 320;
+  display.setup = kSetup;
   CHECK_OK(init(display));
   CHECK_EQ(model.setup_bytes, sizeof kSent);
   for (size_t i = 0; i < sizeof kSent; ++i) {
@@ -155,7 +155,7 @@ TEST(setup_is_sent_before_the_controller_wakes) {
   model.transfers = model.resets = 0;
   constexpr size_t kCut[] = {1, 2, 3, 5, 8};
   for (const size_t size : kCut) {
-    display.panel.setup = {kSetup, size};
+    display.setup = {kSetup, size};
     CHECK_EQ(init(display), Status::bad_argument);
   }
   CHECK_EQ(model.transfers + model.resets, 0);
@@ -164,11 +164,12 @@ TEST(setup_is_sent_before_the_controller_wakes) {
 template <typename Display>
 void check_refused(DcsModel& model, const DcsPanel& panel) {
   Display display;
-  display.panel = panel;
+  static_cast<DcsPanel&>(display) = panel;
   uint8_t pixels[64] = {};
   model.transfers = model.resets = 0;
   CHECK_EQ(init(display), Status::bad_argument);
-  CHECK_EQ(write(display, {pixels, 0, 0, 4, 4, 8}), Status::bad_argument);
+  CHECK_EQ(write(display, {pixels, 0, 0, 4, 4, 8, ByteOrder::high_first}),
+           Status::bad_argument);
   CHECK_EQ(model.transfers + model.resets, 0);
 }
 
@@ -198,8 +199,8 @@ TEST(panels_outside_the_memory_are_refused) {
   check_refused<Ili9341>(model, make_panel(model, 65535, 65535, 65535, 65535));
   check_refused<Gc9a01>(model, make_panel(model, 240, 241));
   Gc9a01 display;
-  display.panel = make_panel(model, 240, 240);
-  display.panel.bus.wait_ms = nullptr;
+  static_cast<DcsPanel&>(display) = make_panel(model, 240, 240);
+  display.bus.wait_ms = nullptr;
   CHECK_EQ(init(display), Status::bad_argument);
   CHECK_EQ(model.transfers, 0);
 }
@@ -207,19 +208,25 @@ TEST(panels_outside_the_memory_are_refused) {
 TEST(strips_outside_the_screen_are_refused) {
   DcsModel model(240, 320);
   St7789 display;
-  display.panel = make_panel(model, 100, 40);
-  display.panel.rotation = Rotation::quarter;
+  static_cast<DcsPanel&>(display) = make_panel(model, 100, 40);
+  display.rotation = Rotation::quarter;
   uint8_t pixels[128] = {};
   const Strip wrong[] = {{pixels, 37, 0, 4, 4, 8}, {pixels, 0, 97, 4, 4, 8},
                          {pixels, -1, 0, 4, 4, 8}, {pixels, 0, -1, 4, 4, 8},
                          {pixels, 0, 0, 0, 4, 8},  {pixels, 0, 0, 4, 0, 8},
                          {pixels, 0, 0, 4, 4, 7},  {pixels, 0, 0, -4, 4, 8}};
-  for (const Strip& strip : wrong) {
+  for (Strip strip : wrong) {
+    strip.order = ByteOrder::high_first;
     CHECK_EQ(write(display, strip), Status::bad_argument);
   }
-  CHECK_EQ(write(display, {{pixels, 31}, 0, 0, 4, 4, 8}), Status::buffer_small);
+  Strip strip = {{pixels, 31}, 0, 0, 4, 4, 8, ByteOrder::high_first};
+  CHECK_EQ(write(display, strip), Status::buffer_small);
+  // Its colours would be wrong.
+  strip = {{pixels, 32}, 36, 96, 4, 4, 8, ByteOrder::low_first};
+  CHECK_EQ(write(display, strip), Status::bad_argument);
   CHECK_EQ(model.transfers, 0);
-  CHECK_OK(write(display, {{pixels, 32}, 36, 96, 4, 4, 8}));
+  strip.order = ByteOrder::high_first;
+  CHECK_OK(write(display, strip));
 }
 
 }  // namespace

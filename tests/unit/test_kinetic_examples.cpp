@@ -1,11 +1,11 @@
 // The code of docs/ANIMATING.md, which build.porting looks for here.
 #include "check.hpp"
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/field/generate.hpp"
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/bodies.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/kinetic/combine.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"

@@ -143,10 +143,9 @@ Status open_mono_pages(const Format& f, const Strip& s, Sink& out) {
 
 Status open_565(const Format& f, const Strip& s, Sink& out) {
   const auto colour = static_cast<uint16_t>(pack(f.foreground, 5, 6, 5));
-  return open(
-      Rgb565Canvas(s, colour,
-                   f.high_first ? ByteOrder::high_first : ByteOrder::low_first),
-      out);
+  Strip strip = s;
+  strip.order = f.high_first ? ByteOrder::high_first : ByteOrder::low_first;
+  return open(Rgb565Canvas(strip, colour), out);
 }
 
 // The channels of Format are in the order of the bytes.

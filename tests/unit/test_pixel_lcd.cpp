@@ -201,8 +201,9 @@ TEST(rgb565_blends_each_channel_for_itself) {
     fill(random);
     const uint16_t colour = rgb565(0x40, 0xc2, 0xfe);
     const int low = round % 2;
-    Rgb565Canvas sink(strip_of(PixelFormat::rgb565), colour,
-                      low == 0 ? ByteOrder::low_first : ByteOrder::high_first);
+    Strip strip = strip_of(PixelFormat::rgb565);
+    strip.order = low == 0 ? ByteOrder::low_first : ByteOrder::high_first;
+    Rgb565Canvas sink(strip, colour);
     set_sub_pixels(sink);
     const Run run = any_run(random);
     sink.coverage_rgb(sink.context, run.x, run.y, coverages, run.count);

@@ -26,16 +26,17 @@ TEST(gc9a01_shows_all_of_its_circle) {
   for (const int32_t rows : kHeights) {
     DcsModel model(240, 240);
     Gc9a01 display;
-    display.panel.bus = model.bus();
-    display.panel.width = 240;
-    display.panel.height = 240;
-    display.panel.mirror_columns = true;
+    display.bus = model.bus();
+    display.width = 240;
+    display.height = 240;
+    display.mirror_columns = true;
     CHECK_OK(init(display));
     Rgb565Canvas canvas = make_canvas();
     static uint8_t pixels[2 * 240 * 64];
     for (int32_t y = 0; y < 240; y += rows) {
       const int32_t height = 240 - y < rows ? 240 - y : rows;
-      const Strip whole = {pixels, 0, y, 240, height, 480};
+      const Strip whole = {
+          pixels, 0, y, 240, height, 480, ByteOrder::high_first};
       canvas.set_strip(round_strip(whole, kFormat, 240));
       const Strip& strip = canvas.strip();
       CHECK_EQ(strip.height, height);
@@ -47,7 +48,7 @@ TEST(gc9a01_shows_all_of_its_circle) {
     const Strip picture =
         display_page::reference(canvas, kFormat, 240, 240, 0x10);
     // Each strip has the columns of its row that is nearest to the centre.
-    check_shown(model, display.panel, picture, [rows](int32_t x, int32_t y) {
+    check_shown(model, display, picture, [rows](int32_t x, int32_t y) {
       const int32_t first = y / rows * rows;
       const int32_t end = first + rows < 240 ? first + rows : 240;
       for (int32_t row = first; row < end; ++row) {

@@ -18,8 +18,10 @@ demo::Scene scene;
 
 void show_frame(uint32_t frame) noexcept {
   scene.set_frame(frame);
-  demo::show(nullptr,
-             [](void*, const inkcell::Strip& strip) { scene.draw(strip); });
+  demo::show([](void*, const inkcell::Strip& strip) {
+    scene.draw(strip);
+    return inkcell::Status::ok;
+  });
 }
 
 // Shows a frame and says what it cost, where the board can count it.

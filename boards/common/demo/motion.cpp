@@ -48,9 +48,10 @@ Status open_motion() noexcept {
 
 void show_motion(uint32_t frame) noexcept {
   scene.set_frame(frame);
-  show(nullptr, [](void*, const Strip& strip) {
+  show([](void*, const Strip& strip) {
     MotionPaper paper(strip);
     scene.draw(paper.paper());
+    return Status::ok;
   });
 }
 

@@ -31,7 +31,10 @@ void draw_pattern(const Strip& strip, uint8_t inverted) noexcept {
 }  // namespace
 
 void show_pattern() noexcept {
-  show(nullptr, [](void*, const Strip& strip) { draw_pattern(strip, 0); });
+  show([](void*, const Strip& strip) {
+    draw_pattern(strip, 0);
+    return Status::ok;
+  });
 
   constexpr int32_t kWindowWidth = kWindow.x1 - kWindow.x0;
   constexpr int32_t kWindowHeight = kWindow.y1 - kWindow.y0;

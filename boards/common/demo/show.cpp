@@ -3,6 +3,7 @@
 
 #include "canvas.hpp"
 #include "display.hpp"
+#include "inkcell/port/strip_loop.hpp"
 
 namespace inkcell {
 namespace demo {
@@ -15,17 +16,17 @@ alignas(4) uint8_t buffer[port::strip_bytes(kFormat, kWidth, kRows)];
 
 }  // namespace
 
-void show(void* context, void (*draw)(void*, const Strip&)) noexcept {
-  StripLoop loop;
+void show(Status (*draw)(void*, const Strip&)) noexcept {
+  port::StripLoop loop;
   loop.buffer = buffer;
+  loop.format = kFormat;
   loop.width = kWidth;
   loop.height = kHeight;
-  loop.rows = kRows;
-  loop.stride = port::stride_bytes(kFormat, kWidth);
-  loop.rows_per_stride = port::rows_per_stride(kFormat);
-  loop.context = context;
   loop.draw = draw;
-  loop.flush = [](void*, const Strip& strip) { board::display_write(strip); };
+  loop.flush = [](void*, const Strip& strip) {
+    board::display_write(strip);
+    return Status::ok;
+  };
   static_cast<void>(run_strips(loop));  // the buffer is made for it
 }
 

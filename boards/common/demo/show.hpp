@@ -1,6 +1,7 @@
 // Draws a whole screen strip by strip, and sends each to the display.
 #pragma once
 
+#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
@@ -9,7 +10,7 @@ inline namespace INKCELL_DEMO_NAME {
 
 /// Calls `draw` for every strip of the screen, of INKCELL_DEMO_ROWS rows each,
 /// and passes the strip on to board::display_write().
-void show(void* context, void (*draw)(void* context, const Strip&)) noexcept;
+void show(Status (*draw)(void*, const Strip&)) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME
 }  // namespace demo

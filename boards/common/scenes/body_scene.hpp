@@ -3,10 +3,10 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/bodies.hpp"
 #include "inkcell/kinetic/body_shape.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -47,7 +47,7 @@ class BodyScene {
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
-  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  void add_changes(DirtyRects& dirty) const noexcept;
   uint32_t next_due() const noexcept;
   void tell_state(const StateSink& sink) const noexcept;
 

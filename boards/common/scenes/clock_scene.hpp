@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/morph.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
@@ -61,7 +61,7 @@ class ClockScene {
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
-  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  void add_changes(DirtyRects& dirty) const noexcept;
   uint32_t next_due() const noexcept;
   void tell_state(const StateSink& sink) const noexcept;
 

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
@@ -49,7 +49,7 @@ class ParticleScene {
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
-  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  void add_changes(DirtyRects& dirty) const noexcept;
   uint32_t next_due() const noexcept { return frame_ + 1; }
   void tell_state(const StateSink& sink) const noexcept;
 

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/path.hpp"
 #include "inkcell/kinetic/pose_renderer.hpp"
 #include "inkcell/kinetic/run.hpp"
@@ -32,7 +32,7 @@ class PathScene {
   void draw(const Paper& paper) noexcept;
 
   /// Adds the areas in which the frame differs from the one before.
-  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  void add_changes(DirtyRects& dirty) const noexcept;
   /// The next frame that looks different.
   uint32_t next_due() const noexcept;
   void tell_state(const StateSink& sink) const noexcept;

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/text.hpp"
@@ -40,7 +40,7 @@ class PrintScene {
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept { frame_ = frame; }
   void draw(const Paper& paper) noexcept;
-  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  void add_changes(DirtyRects& dirty) const noexcept;
   uint32_t next_due() const noexcept { return frame_ + 1; }
   void tell_state(const StateSink& sink) const noexcept;
 

@@ -26,6 +26,15 @@ constexpr bool is_empty(const Rect& r) noexcept {
   return r.x1 <= r.x0 || r.y1 <= r.y0;
 }
 
+/// The smallest rectangle that holds both; an empty one adds nothing.
+constexpr Rect bounding_box(const Rect& a, const Rect& b) noexcept {
+  if (is_empty(a) || is_empty(b)) {
+    return is_empty(a) ? b : a;
+  }
+  return {a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0,
+          a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1};
+}
+
 /// A place on the screen in px, y down: {4, 28} or {4.5_px, 28_px}.
 struct Point {
   Q26_6 x;

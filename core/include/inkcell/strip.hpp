@@ -9,13 +9,16 @@
 
 #include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/status.hpp"
 
 namespace inkcell {
 
+/// The byte of a 16-bit pixel at the lower address.
+enum class ByteOrder : uint8_t { low_first, high_first };
+
 /// Rows of the framebuffer held in RAM. The caller owns the memory, the loop
-/// over strips and the transfer to the display. How many bytes `pixels` needs
-/// is said by the pixel format (`strip_bytes` in port/pixel).
+/// over strips (inkcell/port/strip_loop.hpp) and the transfer to the display.
+/// How many bytes `pixels` needs is said by the pixel format (`strip_bytes` in
+/// port/pixel).
 struct Strip {
   Span<uint8_t> pixels;
   int32_t x0 = 0;  // screen position of the strip's first pixel
@@ -23,6 +26,9 @@ struct Strip {
   int32_t width = 0;   // [px]
   int32_t height = 0;  // [px]
   int32_t stride = 0;  // [bytes] from one row (or page of 8 rows) to the next
+  /// Of RGB565: low_first in memory that the machine shows itself, high_first
+  /// for panels behind SPI.
+  ByteOrder order = ByteOrder::low_first;
 
   constexpr Rect rect() const noexcept {
     return {x0, y0, x0 + width, y0 + height};
@@ -78,32 +84,5 @@ struct Sink {
   /// Null: never called.
   bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
 };
-
-/// How a screen is drawn strip by strip with a small buffer.
-struct StripLoop {
-  /// The buffer for one strip, owned by the caller: strip_bytes() in port/pixel
-  /// says how large.
-  Span<uint8_t> buffer;
-  int32_t width = 0;            // of the screen [px], 1..32767
-  int32_t height = 0;           // of the screen [px], 1..32767
-  int32_t rows = 0;             // of a strip; the last one may have fewer
-  int32_t stride = 0;           // [bytes]
-  int32_t rows_per_stride = 1;  // 8 in page layouts, whose bytes stand upright
-  /// Passed back as the first argument of both functions.
-  void* context = nullptr;
-  /// Draws everything that meets the strip: background first, then text.
-  void (*draw)(void* context, const Strip& strip) = nullptr;
-  /// Sends the strip to the display; may return before the transfer ends if
-  /// the caller waits for it at the start of the next `draw`.
-  void (*flush)(void* context, const Strip& strip) = nullptr;
-};
-
-/// Calls draw and flush for the strips of a screen, from top to bottom. The
-/// picture is the same for every number of rows.
-///
-/// bad_argument: a size is outside its range, `rows` is not a multiple of
-/// rows_per_stride, or a function is missing. buffer_small: the buffer does not
-/// hold `rows` rows. Nothing is called then.
-Status run_strips(const StripLoop& loop) noexcept;
 
 }  // namespace inkcell

@@ -1,7 +1,7 @@
 // Folds the parts, pixel by pixel.
 #include "inkcell/kinetic/combine.hpp"
 
-#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/geometry.hpp"
 #include "limits.hpp"
 #include "pixel_run.hpp"
 

@@ -1,7 +1,7 @@
 // A sink whose coverage is distance.
 #include "inkcell/kinetic/distance_grid.hpp"
 
-#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/style.hpp"

@@ -44,16 +44,8 @@ struct BoxDrawer : GlyphDrawer {
   static void add(GlyphRun& run,
                   uint16_t glyph,
                   const Placed& placed) noexcept {
-    const Rect box = box_of(run, glyph, placed);
-    if (is_empty(box)) {
-      return;
-    }
     Rect& sum = *static_cast<const BoxDrawer&>(run.painter.drawer()).sum;
-    if (is_empty(sum)) {
-      sum = box;
-    }
-    sum = {min(sum.x0, box.x0), min(sum.y0, box.y0), max(sum.x1, box.x1),
-           max(sum.y1, box.y1)};
+    sum = bounding_box(sum, box_of(run, glyph, placed));
   }
 };
 

@@ -11,25 +11,27 @@ typedef struct screen_t {
   void* display;
 } screen_t;
 
-static void draw_strip(void* context, const inkcell_strip_t* strip) {
+static inkcell_status_t draw_strip(void* context,
+                                   const inkcell_strip_t* strip) {
   screen_t* screen = context;
   for (size_t i = 0; i < strip->size; ++i) {
     strip->pixels[i] = 0;
   }
   inkcell_rgb565_target_t target = {.strip = *strip,
-                                    .colour = INKCELL_RGB565_OF(255, 200, 0),
-                                    .order = INKCELL_LOW_FIRST};
+                                    .colour = INKCELL_RGB565_OF(255, 200, 0)};
   inkcell_sink_t sink;
-  if (inkcell_rgb565_sink(&target, &sink) == INKCELL_OK) {
-    inkcell_glyph_cache_draw_text(&screen->cache, &screen->font, screen->text,
-                                  INKCELL_TERMINATED, &screen->style,
-                                  INKCELL_Q6(4), INKCELL_Q6(32), &sink, NULL);
-  }
+  const inkcell_status_t status = inkcell_rgb565_sink(&target, &sink);
+  inkcell_glyph_cache_draw_text(&screen->cache, &screen->font, screen->text,
+                                INKCELL_TERMINATED, &screen->style,
+                                INKCELL_Q6(4), INKCELL_Q6(32), &sink, NULL);
+  return status;
 }
 
-static void send_strip(void* context, const inkcell_strip_t* strip) {
-  const screen_t* screen = context;
+static inkcell_status_t send_strip(void* display,
+                                   const inkcell_strip_t* strip) {
+  const screen_t* screen = display;
   screen->send(screen->display, strip);
+  return INKCELL_OK;
 }
 
 inkcell_status_t draw_clock(const void* rom,
@@ -58,18 +60,16 @@ inkcell_status_t draw_clock(const void* rom,
     return status;
   }
 
-  const inkcell_strip_loop_t loop = {
-      .buffer = buffer,
-      .size = sizeof buffer,
-      .width = CLOCK_WIDTH,
-      .height = CLOCK_HEIGHT,
-      .rows = CLOCK_ROWS,
-      .stride = INKCELL_STRIDE_BYTES(INKCELL_RGB565, CLOCK_WIDTH),
-      .rows_per_stride = INKCELL_ROWS_PER_STRIDE(INKCELL_RGB565),
-      .context = &screen,
-      .draw = draw_strip,
-      .flush = send_strip};
-  status = inkcell_run_strips(&loop);
+  const inkcell_strip_loop_t loop = {.buffer = buffer,
+                                     .size = sizeof buffer,
+                                     .format = INKCELL_RGB565,
+                                     .width = CLOCK_WIDTH,
+                                     .height = CLOCK_HEIGHT,
+                                     .context = &screen,
+                                     .draw = draw_strip,
+                                     .display = &screen,
+                                     .flush = send_strip};
+  status = inkcell_run_strips(&loop, NULL);
   inkcell_glyph_cache_stats(&screen.cache, stats);
   return status;
 }

@@ -103,11 +103,20 @@ inline bool is_unit(int64_t cosine_q30, int64_t sine_q30) noexcept {
   return squared >= kOne - kOne / 500 && squared <= kOne + kOne / 500;
 }
 
-/// A function of C as one of C++, which takes strips by reference.
-template <void (*inkcell_strip_loop_t::*kCall)(void*, const inkcell_strip_t*)>
-void call(void* context, const Strip& strip) noexcept {
-  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(context);
-  (loop.*kCall)(loop.context, reinterpret_cast<const inkcell_strip_t*>(&strip));
+/// The functions of a loop of C as those of C++.
+inline Status draw_by(void* loop_of_c, const Strip& strip) noexcept {
+  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);
+  return static_cast<Status>(loop.draw(
+      loop.context, reinterpret_cast<const inkcell_strip_t*>(&strip)));
+}
+inline Status flush_by(void* loop_of_c, const Strip& strip) noexcept {
+  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);
+  return static_cast<Status>(loop.flush(
+      loop.display, reinterpret_cast<const inkcell_strip_t*>(&strip)));
+}
+inline Status wait_by(void* loop_of_c) noexcept {
+  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);
+  return static_cast<Status>(loop.wait(loop.display));
 }
 
 /// Whether the colour of a target is in range.

@@ -47,6 +47,10 @@ static_assert(offsetof(inkcell_workspace_t, data) == offsetof(Workspace, data)
     && sizeof(inkcell_workspace_t::data) == sizeof(Workspace::data));
 static_assert(offsetof(inkcell_workspace_t, size) == offsetof(Workspace, size)
     && sizeof(inkcell_workspace_t::size) == sizeof(Workspace::size));
+static_assert(static_cast<int>(INKCELL_LOW_FIRST) ==
+    static_cast<int>(ByteOrder::low_first));
+static_assert(static_cast<int>(INKCELL_HIGH_FIRST) ==
+    static_cast<int>(ByteOrder::high_first));
 static_assert(offsetof(inkcell_strip_t, pixels) == offsetof(Strip, pixels.data)
     && sizeof(inkcell_strip_t::pixels) == sizeof(Strip::pixels.data));
 static_assert(offsetof(inkcell_strip_t, size) == offsetof(Strip, pixels.size) &&
@@ -61,6 +65,8 @@ static_assert(offsetof(inkcell_strip_t, height) == offsetof(Strip, height) &&
     sizeof(inkcell_strip_t::height) == sizeof(Strip::height));
 static_assert(offsetof(inkcell_strip_t, stride) == offsetof(Strip, stride) &&
     sizeof(inkcell_strip_t::stride) == sizeof(Strip::stride));
+static_assert(offsetof(inkcell_strip_t, order) == offsetof(Strip, order) &&
+    sizeof(inkcell_strip_t::order) == sizeof(Strip::order));
 static_assert(offsetof(inkcell_sink_t, window) == offsetof(Sink, window) &&
     sizeof(inkcell_sink_t::window) == sizeof(Sink::window));
 static_assert(offsetof(inkcell_sink_t, context) == offsetof(Sink, context) &&
@@ -98,10 +104,6 @@ static_assert(static_cast<int>(INKCELL_HIGH_LEFT) ==
     static_cast<int>(port::BitOrder::high_left));
 static_assert(static_cast<int>(INKCELL_LOW_LEFT) ==
     static_cast<int>(port::BitOrder::low_left));
-static_assert(static_cast<int>(INKCELL_LOW_FIRST) ==
-    static_cast<int>(port::ByteOrder::low_first));
-static_assert(static_cast<int>(INKCELL_HIGH_FIRST) ==
-    static_cast<int>(port::ByteOrder::high_first));
 static_assert(static_cast<int>(INKCELL_RED_FIRST) ==
     static_cast<int>(port::ChannelOrder::red_first));
 static_assert(static_cast<int>(INKCELL_BLUE_FIRST) ==
@@ -178,10 +180,6 @@ static_assert(offsetof(inkcell_rgb565_target_t, colour) ==
     offsetof(port::detail::Rgb565Pixels, colour) &&
     sizeof(inkcell_rgb565_target_t::colour) ==
     sizeof(port::detail::Rgb565Pixels::colour));
-static_assert(offsetof(inkcell_rgb565_target_t, order) ==
-    offsetof(port::detail::Rgb565Pixels, order) &&
-    sizeof(inkcell_rgb565_target_t::order) ==
-    sizeof(port::detail::Rgb565Pixels::order));
 static_assert(offsetof(inkcell_rgb888_target_t, strip) ==
     offsetof(port::detail::Rgb888Pixels, strip) &&
     sizeof(inkcell_rgb888_target_t::strip) ==

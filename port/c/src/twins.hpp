@@ -31,6 +31,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/strip_loop.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/shadow.hpp"

@@ -9,7 +9,7 @@
 //   canvas.setCursor(x, y); print('7')   morph.draw(x, y, canvas)
 //   tft.drawRGBBitmap(x, y,              write(display, strip)
 //       canvas.getBuffer(), w, h)
-//   tft.setRotation(1)                   panel.rotation = Rotation::quarter
+//   tft.setRotation(1)                   display.rotation = Rotation::quarter
 //   tft.fillScreen(paper)                strips of paper, sent by write()
 #include <fonts/digits.hpp>
 #include <inkcell/inkcell.hpp>
@@ -43,21 +43,21 @@ static uint16_t glyph_of(const Font& font, uint32_t minutes, size_t digit) {
 }
 
 static Rgb565Canvas paper(int32_t x, int32_t y, int32_t width, int32_t height) {
-  return Rgb565Canvas({pixels, x, y, width, height, 2 * width}, kInk, kPaper,
-                      ByteOrder::high_first);
+  return Rgb565Canvas(
+      {pixels, x, y, width, height, 2 * width, ByteOrder::high_first}, kInk,
+      kPaper);
 }
 
 static Status run() {
   Ili9341 display;
-  DcsPanel& panel = display.panel;
-  panel.bus.command = write_command;
-  panel.bus.data = write_data;
-  panel.bus.reset = pulse_reset;
-  panel.bus.wait_ms = wait_ms;
-  panel.width = 240;
-  panel.height = 320;
-  panel.rotation = Rotation::quarter;
-  panel.mirror_columns = panel.blue_first = true;  // as on most modules
+  display.bus.command = write_command;
+  display.bus.data = write_data;
+  display.bus.reset = pulse_reset;
+  display.bus.wait_ms = wait_ms;
+  display.width = 240;
+  display.height = 320;
+  display.rotation = Rotation::quarter;
+  display.mirror_columns = display.blue_first = true;  // as on most modules
   INKCELL_TRY(init(display));
   for (int32_t y = 0; y < 240; y += 10) {
     INKCELL_TRY(write(display, paper(0, y, 320, 10).strip()));

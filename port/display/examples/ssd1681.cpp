@@ -18,7 +18,6 @@
 #include <fonts/paper.hpp>
 #include <inkcell/fit.hpp>
 #include <inkcell/inkcell.hpp>
-#include <inkcell/kinetic/dirty_rects.hpp>
 #include <inkcell/port/ssd1680.hpp>
 
 #include "your_board.hpp"
@@ -73,8 +72,7 @@ static Status run() {
 
     const Rect box = painter.box(font, kValue, kValueAt, value);
     const bool is_full = count % 100 == 0;
-    const Strip part =
-        part_of(is_full ? kAll : kinetic::bounding_box(last, box));
+    const Strip part = part_of(is_full ? kAll : bounding_box(last, box));
     INKCELL_TRY(write(display, part, EpaperPlane::next));
     INKCELL_TRY(refresh(
         display, is_full ? EpaperRefresh::full : EpaperRefresh::partial));

@@ -129,13 +129,16 @@ Status write(const DcsPanel& panel,
              const DcsController& controller,
              const Strip& strip) noexcept {
   INKCELL_TRY(check(panel, controller));
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::rgb565, screen_width(panel),
+  INKCELL_TRY(check_on_screen(strip, DcsPanel::kFormat, screen_width(panel),
                               screen_height(panel)));
+  if (strip.order != ByteOrder::high_first) {
+    return Status::bad_argument;
+  }
   const Addressing screen = addressing_of(panel, controller);
   send_range(panel.bus, kSetColumns, screen.x + strip.x0, strip.width);
   send_range(panel.bus, kSetRows, screen.y + strip.y0, strip.height);
   send_command(panel.bus, kWriteMemory);
-  send_pixels(panel.bus, strip, PixelFormat::rgb565);
+  send_pixels(panel.bus, strip, DcsPanel::kFormat);
   return Status::ok;
 }
 

@@ -12,11 +12,11 @@ constexpr detail::DcsController kController = {240, 240, 0x55};
 }  // namespace
 
 Status init(const Gc9a01& display) noexcept {
-  return detail::init(display.panel, kController);
+  return detail::init(display, kController);
 }
 
 Status write(const Gc9a01& display, const Strip& strip) noexcept {
-  return detail::write(display.panel, kController, strip);
+  return detail::write(display, kController, strip);
 }
 
 }  // namespace port

@@ -67,8 +67,8 @@ Status init(const Sh1106& display) noexcept {
 
 Status write(const Sh1106& display, const Strip& strip) noexcept {
   INKCELL_TRY(check(display));
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_pages, display.width,
-                              display.height));
+  INKCELL_TRY(
+      check_on_screen(strip, Sh1106::kFormat, display.width, display.height));
   send_pages(display.bus,
              display.turned ? kColumns - display.first_column - display.width
                             : display.first_column,

@@ -36,8 +36,8 @@ Status write(const Ssd0303& display, const Strip& strip) noexcept {
       display.height > kRows) {
     return Status::bad_argument;
   }
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_pages, display.width,
-                              display.height));
+  INKCELL_TRY(
+      check_on_screen(strip, Ssd0303::kFormat, display.width, display.height));
   send_pages(display.bus, display.first_column, strip);
   return Status::ok;
 }

@@ -46,8 +46,8 @@ Status write(const Ssd0323& display, const Strip& strip) noexcept {
   if (display.width > kMaxWidth || display.height > kMaxHeight) {
     return Status::bad_argument;
   }
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::grey4, display.width,
-                              display.height));
+  INKCELL_TRY(
+      check_on_screen(strip, Ssd0323::kFormat, display.width, display.height));
   const uint8_t window[] = {
       kSetColumns,
       static_cast<uint8_t>(strip.x0 / 2),
@@ -57,7 +57,7 @@ Status write(const Ssd0323& display, const Strip& strip) noexcept {
       static_cast<uint8_t>(strip.y0 + strip.height - 1),
   };
   display.bus.command(display.bus.context, window, sizeof window);
-  send_pixels(display.bus, strip, PixelFormat::grey4);
+  send_pixels(display.bus, strip, Ssd0323::kFormat);
   return Status::ok;
 }
 

@@ -80,8 +80,8 @@ Status init(const Ssd1306& display) noexcept {
 
 Status write(const Ssd1306& display, const Strip& strip) noexcept {
   INKCELL_TRY(check(display));
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_pages, display.width,
-                              display.height));
+  INKCELL_TRY(
+      check_on_screen(strip, Ssd1306::kFormat, display.width, display.height));
   const int32_t left = display.turned
                            ? kColumns - display.first_column - display.width
                            : display.first_column;
@@ -94,7 +94,7 @@ Status write(const Ssd1306& display, const Strip& strip) noexcept {
       static_cast<uint8_t>((strip.y0 + strip.height) / 8 - 1),
   };
   display.bus.command(display.bus.context, window, sizeof window);
-  send_pixels(display.bus, strip, PixelFormat::mono_pages);
+  send_pixels(display.bus, strip, Ssd1306::kFormat);
   return Status::ok;
 }
 

@@ -81,8 +81,8 @@ Status write(const Ssd1680& display,
              EpaperPlane plane) noexcept {
   const DisplayBus& bus = display.bus;
   INKCELL_TRY(check(display));
-  INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_rows, display.width,
-                              display.height));
+  INKCELL_TRY(
+      check_on_screen(strip, Ssd1680::kFormat, display.width, display.height));
   const int32_t bottom = strip.y0 + strip.height - 1;
   const uint8_t columns[] = {
       static_cast<uint8_t>(strip.x0 / 8),
@@ -95,7 +95,7 @@ Status write(const Ssd1680& display,
   send_byte(bus, kSetColumn, columns[0]);
   send_command(bus, kSetRow, {rows, 2});
   send_command(bus, plane == EpaperPlane::next ? kWriteNext : kWriteShown);
-  send_pixels(bus, strip, PixelFormat::mono_rows);
+  send_pixels(bus, strip, Ssd1680::kFormat);
   return Status::ok;
 }
 

@@ -16,11 +16,11 @@ detail::DcsController controller_of(const St7735& display) noexcept {
 }  // namespace
 
 Status init(const St7735& display) noexcept {
-  return detail::init(display.panel, controller_of(display));
+  return detail::init(display, controller_of(display));
 }
 
 Status write(const St7735& display, const Strip& strip) noexcept {
-  return detail::write(display.panel, controller_of(display), strip);
+  return detail::write(display, controller_of(display), strip);
 }
 
 }  // namespace port

@@ -12,11 +12,11 @@ constexpr detail::DcsController kController = {240, 320, 0x55};
 }  // namespace
 
 Status init(const St7789& display) noexcept {
-  return detail::init(display.panel, kController);
+  return detail::init(display, kController);
 }
 
 Status write(const St7789& display, const Strip& strip) noexcept {
-  return detail::write(display.panel, kController, strip);
+  return detail::write(display, kController, strip);
 }
 
 }  // namespace port

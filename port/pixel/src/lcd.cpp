@@ -23,7 +23,7 @@ void coverage_565(void* context,
   const uint32_t red = pixels.colour >> 11;
   const uint32_t green = pixels.colour >> 5 & 0x3f;
   const uint32_t blue = pixels.colour & 0x1f;
-  const int low = pixels.order == ByteOrder::low_first ? 0 : 1;
+  const int low = pixels.strip.order == ByteOrder::low_first ? 0 : 1;
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   for (uint8_t* const end = pixel + 2 * run.count; pixel != end; pixel += 2) {
     const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])

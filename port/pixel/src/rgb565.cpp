@@ -99,7 +99,7 @@ void blend_bytes(uint8_t* pixel,
 // Whether pixels are half-words in the byte order of the core.
 inline bool are_halves(const detail::Rgb565Pixels& pixels,
                        const uint8_t* pixel) noexcept {
-  return detail::kLittleEndian && pixels.order == ByteOrder::low_first &&
+  return detail::kLittleEndian && pixels.strip.order == ByteOrder::low_first &&
          (reinterpret_cast<uintptr_t>(pixel) & 1) == 0;
 }
 
@@ -147,7 +147,7 @@ void block(void* context, const CoverageBlock& given) noexcept {
     if (are_halves(pixels, pixel)) {
       blend_words(pixel, block.coverage, count, colour);
     } else {
-      blend_bytes(pixel, block.coverage, count, colour, pixels.order);
+      blend_bytes(pixel, block.coverage, count, colour, pixels.strip.order);
     }
     block.coverage += block.stride;
   }
@@ -169,7 +169,7 @@ void coverage(void* context,
   if (are_halves(pixels, pixel)) {
     blend_halves(pixel, coverage, run.count, colour);
   } else {
-    blend_bytes(pixel, coverage, run.count, colour, pixels.order);
+    blend_bytes(pixel, coverage, run.count, colour, pixels.strip.order);
   }
 }
 
@@ -209,7 +209,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
   }
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   fill(pixel, pixel + 2 * run.count,
-       pixels.order == ByteOrder::low_first
+       pixels.strip.order == ByteOrder::low_first
            ? pixels.colour
            : static_cast<uint16_t>(pixels.colour << 8 | pixels.colour >> 8));
 }

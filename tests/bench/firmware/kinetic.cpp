@@ -284,7 +284,7 @@ bool measure_scene(const char* name) {
     // Stepped twice, and drawn: what the first counts is the second's stack.
     changed.add(board::count_instructions([&] {
       scene.set_frame(i);
-      kinetic::DirtyRects dirty(dirty_room);
+      DirtyRects dirty(dirty_room);
       scene.add_changes(dirty);
       for (const Rect& part : dirty.rects()) {
         draw(scene, part);

@@ -10,9 +10,9 @@
 
 #include <stdint.h>
 
+#include "inkcell/dirty_rects.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/pose.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"

@@ -64,8 +64,6 @@ enum {
 
 /// Which end of a byte is the left pixel, in formats of several pixels a byte.
 enum { INKCELL_HIGH_LEFT = 0, INKCELL_LOW_LEFT = 1 };
-/// Which byte of a 16-bit pixel lies at the lower address.
-enum { INKCELL_LOW_FIRST = 0, INKCELL_HIGH_FIRST = 1 };
 /// Which channel lies at the lowest address.
 enum { INKCELL_RED_FIRST = 0, INKCELL_BLUE_FIRST = 1 };
 
@@ -114,7 +112,6 @@ typedef struct INKCELL_SHARED inkcell_mono_pages_target_t {
 typedef struct INKCELL_SHARED inkcell_rgb565_target_t {
   inkcell_strip_t strip;
   uint16_t colour;  // of the foreground: INKCELL_RGB565_OF()
-  uint8_t order;    // INKCELL_LOW_FIRST or INKCELL_HIGH_FIRST
 } inkcell_rgb565_target_t;
 
 /// Three bytes a pixel.
@@ -167,6 +164,42 @@ inkcell_status_t inkcell_grey2_dithered_sink(inkcell_grey2_target_t* target,
                                              inkcell_sink_t* out);
 inkcell_status_t inkcell_grey4_dithered_sink(inkcell_grey4_target_t* target,
                                              inkcell_sink_t* out);
+
+/// A screen, the memory for its strips, and the functions that draw and send
+/// them. Strips are as high as the buffer allows.
+typedef struct inkcell_strip_loop_t {
+  uint8_t* buffer;  // for a strip, of a row at least; the caller's
+  size_t size;      // of the buffer [bytes]
+  /// Null, or a second one of that size, without overlap: then a strip is drawn
+  /// while the one before it is sent, flush() starts a transfer and returns.
+  uint8_t* second;
+  uint8_t format;  // INKCELL_RGB565 and others
+  uint8_t order;   // of all strips: INKCELL_LOW_FIRST or INKCELL_HIGH_FIRST
+  int32_t width;   // of the screen [px], 1..32767
+  int32_t height;  // likewise
+  /// The first argument of `draw`.
+  void* context;
+  /// Draws everything that meets the strip: background first, then text.
+  inkcell_status_t (*draw)(void* context, const inkcell_strip_t* strip);
+  /// The first argument of `flush` and `wait`.
+  void* display;
+  /// Sends the strip to its place on the screen.
+  inkcell_status_t (*flush)(void* display, const inkcell_strip_t* strip);
+  /// Needed with a second buffer: returns when no transfer is under way.
+  inkcell_status_t (*wait)(void* display);
+} inkcell_strip_loop_t;
+
+/// Calls draw and flush for the strips of `part`, from top to bottom, and waits
+/// for the last transfer. The part is cut to the screen, and widened to whole
+/// bytes and pages; null is the whole screen. The picture is the same for every
+/// size of the buffer.
+///
+/// BAD_ARGUMENT: a side of the screen is out of range, a function is null, or
+/// the buffers overlap. BUFFER_SMALL: the buffer does not hold a row, or page,
+/// of the part. Nothing is called then. Any other result is the first of draw,
+/// flush or wait that is not INKCELL_OK; nothing is sent after it.
+inkcell_status_t inkcell_run_strips(const inkcell_strip_loop_t* loop,
+                                    const inkcell_rect_t* part);
 
 #ifdef __cplusplus
 }

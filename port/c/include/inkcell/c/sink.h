@@ -1,5 +1,5 @@
-// Where pixels go, as in inkcell/strip.hpp: strips, sinks, and the loop over a
-// screen. pixel.h has sinks for the usual pixel formats.
+// Where pixels go, as in inkcell/strip.hpp: strips and sinks. pixel.h has sinks
+// for the usual pixel formats, and the loop over a screen.
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
@@ -10,6 +10,9 @@
 extern "C" {
 #endif
 
+/// Which byte of a 16-bit pixel lies at the lower address.
+enum { INKCELL_LOW_FIRST = 0, INKCELL_HIGH_FIRST = 1 };
+
 /// Rows of the screen in RAM. The caller owns the memory.
 typedef struct INKCELL_SHARED inkcell_strip_t {
   uint8_t* pixels;
@@ -19,6 +22,7 @@ typedef struct INKCELL_SHARED inkcell_strip_t {
   int32_t width;   // [px]
   int32_t height;  // [px]
   int32_t stride;  // [bytes] from one row, or page of 8 rows, to the next
+  uint8_t order;   // of RGB565: INKCELL_LOW_FIRST or INKCELL_HIGH_FIRST
 } inkcell_strip_t;
 
 /// The most coverages that one call of `coverage` brings.
@@ -54,30 +58,6 @@ typedef struct INKCELL_SHARED inkcell_sink_t {
   /// As `block`.
   void (*ramp)(void);
 } inkcell_sink_t;
-
-/// How a screen is drawn strip by strip with a small buffer.
-typedef struct inkcell_strip_loop_t {
-  uint8_t* buffer;          // for one strip; the caller's
-  size_t size;              // of the buffer [bytes]
-  int32_t width;            // of the screen [px], 1..32767
-  int32_t height;           // of the screen [px], 1..32767
-  int32_t rows;             // of a strip; the last one may have fewer
-  int32_t stride;           // [bytes]
-  int32_t rows_per_stride;  // 8 in page layouts, else 1
-  void* context;            // the first argument of both functions
-  /// Draws everything that meets the strip: background first, then text.
-  void (*draw)(void* context, const inkcell_strip_t* strip);
-  /// Sends the strip to the display.
-  void (*flush)(void* context, const inkcell_strip_t* strip);
-} inkcell_strip_loop_t;
-
-/// Calls draw and flush for the strips of a screen, from top to bottom. The
-/// picture is the same for every number of rows.
-///
-/// BAD_ARGUMENT: a size is outside its range, `rows` is not a multiple of
-/// `rows_per_stride`, or a function is null. BUFFER_SMALL: the buffer does not
-/// hold `rows` rows. Nothing is called then.
-inkcell_status_t inkcell_run_strips(const inkcell_strip_loop_t* loop);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/pixel.hpp"
 #include "inkcell/span.hpp"
 
 namespace inkcell {
@@ -13,7 +14,7 @@ namespace port {
 /// The rotation of the picture on the panel, clockwise.
 enum class Rotation : uint8_t { none, quarter, half, three_quarters };
 
-/// Pixels are those of PixelFormat::rgb565 with ByteOrder::high_first. The bus
+/// Its strips are of PixelFormat::rgb565 with ByteOrder::high_first. The bus
 /// sends a command byte by `command` and its parameters by `data`, and needs
 /// `wait_ms`.
 ///
@@ -22,6 +23,8 @@ enum class Rotation : uint8_t { none, quarter, half, three_quarters };
 ///       first_row        | panel       | height
 ///             .          +-------------+
 struct DcsPanel {
+  static constexpr PixelFormat kFormat = PixelFormat::rgb565;
+
   DisplayBus bus;
   uint16_t width = 0;   // of the panel without rotation [px]
   uint16_t height = 0;  // likewise

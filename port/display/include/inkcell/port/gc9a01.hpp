@@ -10,11 +10,9 @@ namespace port {
 
 /// See dcs_panel.hpp. Most panels need the maker's settings in DcsPanel::setup.
 /// round_strip() of round_strip.hpp skips pixels outside of the circle.
-struct Gc9a01 {
-  DcsPanel panel;
-};
+struct Gc9a01 : DcsPanel {};
 
-/// Resets the controller, sends DcsPanel::setup, sets what write() relies on,
+/// Resets the controller, sends `setup`, sets what write() relies on,
 /// and switches the panel on. Takes a quarter of a second.
 ///
 /// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
@@ -24,8 +22,9 @@ Status init(const Gc9a01& display) noexcept;
 /// Sends a strip to its place on the screen, in one window.
 ///
 /// bad_argument: the panel is empty or exceeds the controller's memory, the
-/// strip is not on the screen, or its stride is shorter than a row.
-/// buffer_small: it has fewer pixels than its rows need. Nothing is sent then.
+/// strip is not on the screen or has the low byte first, or its stride is
+/// shorter than a row. buffer_small: it has fewer pixels than its rows need.
+/// Nothing is sent then.
 Status write(const Gc9a01& display, const Strip& strip) noexcept;
 
 }  // namespace port

@@ -14,6 +14,11 @@
 namespace inkcell {
 namespace port {
 
+/// The machine's.
+inline constexpr ByteOrder kNativeOrder = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+                                              ? ByteOrder::high_first
+                                              : ByteOrder::low_first;
+
 /// GFXcanvas1: draws 1, or 0 with a level of 0.
 inline MonoRowsCanvas gfx_canvas1(uint8_t* buffer,
                                   int32_t width,
@@ -32,20 +37,15 @@ inline Grey8Canvas gfx_canvas8(uint8_t* buffer,
                      level);
 }
 
-/// GFXcanvas16, in the machine's byte order. After byteSwap() call set_order()
-/// with the other one.
+/// GFXcanvas16, in the machine's byte order; in the other one after byteSwap().
 inline Rgb565Canvas gfx_canvas16(uint16_t* buffer,
                                  int32_t width,
                                  int32_t height,
-                                 uint16_t colour = 0xffff) noexcept {
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  constexpr ByteOrder kOrder = ByteOrder::high_first;
-#else
-  constexpr ByteOrder kOrder = ByteOrder::low_first;
-#endif
+                                 uint16_t colour = 0xffff,
+                                 ByteOrder order = kNativeOrder) noexcept {
   return Rgb565Canvas(whole_picture(reinterpret_cast<uint8_t*>(buffer),
-                                    PixelFormat::rgb565, width, height),
-                      colour, kOrder);
+                                    PixelFormat::rgb565, width, height, order),
+                      colour);
 }
 
 }  // namespace port

@@ -9,11 +9,9 @@ namespace inkcell {
 namespace port {
 
 /// See dcs_panel.hpp. Most modules need mirror_columns and blue_first.
-struct Ili9341 {
-  DcsPanel panel;
-};
+struct Ili9341 : DcsPanel {};
 
-/// Resets the controller, sends DcsPanel::setup, sets what write() relies on,
+/// Resets the controller, sends `setup`, sets what write() relies on,
 /// and switches the panel on. Takes a quarter of a second.
 ///
 /// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
@@ -23,8 +21,9 @@ Status init(const Ili9341& display) noexcept;
 /// Sends a strip to its place on the screen, in one window.
 ///
 /// bad_argument: the panel is empty or exceeds the controller's memory, the
-/// strip is not on the screen, or its stride is shorter than a row.
-/// buffer_small: it has fewer pixels than its rows need. Nothing is sent then.
+/// strip is not on the screen or has the low byte first, or its stride is
+/// shorter than a row. buffer_small: it has fewer pixels than its rows need.
+/// Nothing is sent then.
 Status write(const Ili9341& display, const Strip& strip) noexcept;
 
 }  // namespace port

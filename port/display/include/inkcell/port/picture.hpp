@@ -15,13 +15,15 @@ namespace port {
 constexpr Strip whole_picture(uint8_t* pixels,
                               PixelFormat format,
                               int32_t width,
-                              int32_t height) noexcept {
+                              int32_t height,
+                              ByteOrder order = ByteOrder::low_first) noexcept {
   return {{pixels, strip_bytes(format, width, height)},
           0,
           0,
           width,
           height,
-          stride_bytes(format, width)};
+          stride_bytes(format, width),
+          order};
 }
 
 }  // namespace port

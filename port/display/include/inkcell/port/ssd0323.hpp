@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
@@ -13,6 +14,8 @@ namespace port {
 /// A display of up to 128 x 80 pixels, usually 128 x 64. Its pixels are those
 /// of PixelFormat::grey4 with BitOrder::high_left.
 struct Ssd0323 {
+  static constexpr PixelFormat kFormat = PixelFormat::grey4;
+
   DisplayBus bus;
   uint8_t width = 128;  // [px], even
   uint8_t height = 64;  // [px]

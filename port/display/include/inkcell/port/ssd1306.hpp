@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
@@ -13,6 +14,8 @@ namespace port {
 /// A display of up to 128 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
 struct Ssd1306 {
+  static constexpr PixelFormat kFormat = PixelFormat::mono_pages;
+
   DisplayBus bus;
   uint8_t width = 128;       // [px]
   uint8_t height = 64;       // [px], a multiple of 8, 16 to 64

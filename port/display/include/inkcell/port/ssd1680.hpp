@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
@@ -37,6 +38,8 @@ enum class EpaperRefresh : uint8_t { full, partial };
 /// bus sends a command byte by `command` and its parameters by `data`, and
 /// needs `wait_idle`.
 struct Ssd1680 {
+  static constexpr PixelFormat kFormat = PixelFormat::mono_rows;
+
   DisplayBus bus;
   EpaperController controller = EpaperController::ssd1680;
   uint16_t width = 128;   // [px], a multiple of 8: the panel's, rounded up
@@ -59,7 +62,7 @@ Status init(const Ssd1680& display) noexcept;
 /// buffer_small: it has fewer pixels than its rows need. Nothing is sent then.
 Status write(const Ssd1680& display,
              const Strip& strip,
-             EpaperPlane plane) noexcept;
+             EpaperPlane plane = EpaperPlane::next) noexcept;
 
 /// Shows the plane `next`, and returns when the panel is done. The caller then
 /// updates the plane `shown`.

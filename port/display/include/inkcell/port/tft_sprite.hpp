@@ -19,9 +19,10 @@ inline Rgb565Canvas tft_sprite16(void* buffer,
                                  int32_t width,
                                  int32_t height,
                                  uint16_t colour = 0xffff) noexcept {
-  return Rgb565Canvas(whole_picture(static_cast<uint8_t*>(buffer),
-                                    PixelFormat::rgb565, width, height),
-                      colour, ByteOrder::high_first);
+  return Rgb565Canvas(
+      whole_picture(static_cast<uint8_t*>(buffer), PixelFormat::rgb565, width,
+                    height, ByteOrder::high_first),
+      colour);
 }
 
 /// A sprite of setColorDepth(1): draws 1, or 0 with a level of 0. `buffer` must

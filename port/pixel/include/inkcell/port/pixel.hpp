@@ -54,9 +54,6 @@ enum class PixelFormat : uint8_t {
 /// byte.
 enum class BitOrder : uint8_t { high_left, low_left };
 
-/// The byte of a 16-bit pixel at the lower address.
-enum class ByteOrder : uint8_t { low_first, high_first };
-
 constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
   switch (format) {
     case PixelFormat::mono_rows:

@@ -1,4 +1,4 @@
-// A canvas of RGB565, either byte first, at any address.
+// A canvas of RGB565, in the byte order of its strip, at any address.
 #pragma once
 
 #include <stdint.h>
@@ -19,7 +19,6 @@ namespace detail {
 struct Rgb565Pixels {
   Strip strip;
   uint16_t colour;
-  ByteOrder order;
 
   static const SinkKind kKind;
 };
@@ -31,21 +30,18 @@ struct Rgb565Pixels {
 class Rgb565Canvas : public Canvas<detail::Rgb565Pixels> {
  public:
   explicit Rgb565Canvas(const Strip& strip = {},
-                        uint16_t colour = 0xffff,
-                        ByteOrder order = ByteOrder::low_first) noexcept
-      : Canvas(strip, colour, order) {}
+                        uint16_t colour = 0xffff) noexcept
+      : Canvas(strip, colour) {}
   Rgb565Canvas(const Strip& strip,
                uint16_t colour,
-               uint16_t background,
-               ByteOrder order = ByteOrder::low_first) noexcept
-      : Rgb565Canvas(strip, background, order) {
+               uint16_t background) noexcept
+      : Rgb565Canvas(strip, background) {
     fill();
     set_colour(colour);
   }
 
   /// The colour of the foreground: rgb565().
   void set_colour(uint16_t colour) noexcept { pixels_.colour = colour; }
-  void set_order(ByteOrder order) noexcept { pixels_.order = order; }
 };
 
 }  // namespace port

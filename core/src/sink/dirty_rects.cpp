@@ -1,10 +1,7 @@
 // A short list of disjoint rectangles.
-#include "inkcell/kinetic/dirty_rects.hpp"
-
-#include "limits.hpp"
+#include "inkcell/dirty_rects.hpp"
 
 namespace inkcell {
-namespace kinetic {
 namespace {
 
 int64_t area(const Rect& r) noexcept {
@@ -18,16 +15,6 @@ int64_t waste(const Rect& a, const Rect& b) noexcept {
 }
 
 }  // namespace
-
-Rect bounding_box(const Rect& a, const Rect& b) noexcept {
-  if (is_empty(a)) {
-    return b;
-  }
-  if (is_empty(b)) {
-    return a;
-  }
-  return {min(a.x0, b.x0), min(a.y0, b.y0), max(a.x1, b.x1), max(a.y1, b.y1)};
-}
 
 void DirtyRects::add(const Rect& rect, const Rect& screen) noexcept {
   Rect next = intersect(rect, screen);
@@ -57,5 +44,4 @@ void DirtyRects::add(const Rect& rect, const Rect& screen) noexcept {
   }
 }
 
-}  // namespace kinetic
 }  // namespace inkcell

@@ -1,17 +1,21 @@
 // The rectangles of the screen that changed.
+//
+//   Rect room[4];
+//   DirtyRects dirty(room);
+//   dirty.add(before, screen);
+//   dirty.add(after, screen);
+//   for (const Rect& rect : dirty.rects()) {
+//     INKCELL_TRY(port::run_strips(loop, rect));
+//   }
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
 
 namespace inkcell {
-namespace kinetic {
-
-/// The smallest rectangle that holds both; an empty one adds nothing.
-Rect bounding_box(const Rect& a, const Rect& b) noexcept;
 
 /// A short list of rectangles, in the caller's memory, that covers all that
 /// were added. Two are merged if they overlap, if their bounding box is hardly
@@ -33,5 +37,4 @@ class DirtyRects {
   size_t count_ = 0;
 };
 
-}  // namespace kinetic
 }  // namespace inkcell
