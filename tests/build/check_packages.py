@@ -1,6 +1,7 @@
 """Checks the packages: manifests name the project's version, licence and every
 source; a clean project builds with each, compiles the libraries that it asks for
-and no other, and has the same code, none of it of cells.
+and no other, and has the same code, none of it of cells. A program of fields has no
+code of outlines.
 
 A project for Cortex-M0 at -Os, in a folder of its own, draws the README's line of
 text. It gets Inkcell as a subdirectory, by FetchContent, by find_package() after
@@ -104,9 +105,10 @@ def main():
         for name, size in package.build(work, build, fontgen).items():
             sizes[name] = size
             passed += 1
+    cmake_projects.check_fields(work)
     code = cmake_projects.readme_code(work, fontgen)
     problems += check_code(code, sizes["subdirectory"])
-    passed += 1
+    passed += 2
     print(f"README's program: {code[0]} bytes of .text on Cortex-M0, {code[1]} "
           "on Cortex-M3")
     for name, size in sizes.items():

@@ -61,12 +61,6 @@ constexpr Source kSingleFieldSource = {open_single, load_nothing, fill_band,
 const Coding kFieldCoding = {static_cast<uint8_t>(format::Coding::field),
                              &detail::kFieldSource};
 
-Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept {
-  const Status status = Font::open(rom, out);
-  return status == Status::unsupported ? Font::open(rom, kFieldCoding, out)
-                                       : status;
-}
-
 void draw_field(const GlyphField& field,
                 const Style& style,
                 FinePoint origin,

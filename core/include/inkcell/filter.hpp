@@ -42,8 +42,8 @@ struct FilterSpec {
 namespace detail {
 struct BandPainter;
 
-// What paints outlines for a filter. A filter names its painter, so that a
-// program links the painters of the filters that it uses.
+// What a filter takes. A program links the painters of outlines of the filters
+// that it names, and none if it opens fonts of fields alone.
 extern const BandPainter kPaintPixelRamp;      // Filter::is_linear_pixel()
 extern const BandPainter kPaintDistances;      // up to half a pixel
 extern const BandPainter kPaintWideDistances;  // any filter

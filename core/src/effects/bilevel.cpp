@@ -205,9 +205,6 @@ void mix_bilevel(const Effect& effect, GlyphBand& band) noexcept {
            [&row](const uint8_t* at) noexcept { return row.coverage(at); });
 }
 
-constexpr BandPainter kPaintCrossings = {paint_crossings, nullptr,
-                                         BandKind::crossings, false, 0};
-
 }  // namespace
 
 const Mixer kBilevelMixer = {&kPaintCrossings, plan_bilevel, mix_bilevel};

@@ -23,14 +23,17 @@ enum class BandKind : uint8_t {
   area,
 };
 
+// Paints points of outlines into a band.
+using PaintPoints = void(const Band& band,
+                         OutlineCursor& cursor,
+                         const ScreenPoint* points,
+                         const ScreenPoint* end) noexcept;
+
 // A filter names one, and so does a mixer. Sources other than outlines look at
 // `kind` and `reach_q8` only.
 struct BandPainter {
-  // Paints points of outlines into a band.
-  void (*paint)(const Band& band,
-                OutlineCursor& cursor,
-                const ScreenPoint* points,
-                const ScreenPoint* end) noexcept;
+  // Null in a program that opens no font of outlines.
+  PaintPoints* paint;
   // Painted rows to coverage, in place. Null: only a mixer can.
   void (*cover)(const Band& band, const Filter& filter) noexcept;
   BandKind kind;
@@ -39,6 +42,8 @@ struct BandPainter {
   // filter, see BandPlan. [px, Q8]
   uint8_t reach_q8;
 };
+
+extern const BandPainter kPaintCrossings;  // only a mixer can name it
 
 }  // namespace detail
 }  // namespace inkcell

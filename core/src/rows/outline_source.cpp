@@ -4,8 +4,7 @@
 #include "inkcell/coding.hpp"
 #include "inkcell/format/rom.hpp"
 #include "rows/area_painter.hpp"
-#include "rows/cover_areas.hpp"
-#include "rows/cover_distances.hpp"
+#include "rows/crossings.hpp"
 #include "rows/distance_painter.hpp"
 #include "rows/outline_fit.hpp"
 #include "rows/wide_painter.hpp"
@@ -105,14 +104,11 @@ constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
 
 }  // namespace
 
-const BandPainter kPaintPixelRamp = {paint_distances, cover_linear,
-                                     BandKind::distance, true, 128};
-const BandPainter kPaintDistances = {paint_distances, cover_filtered,
-                                     BandKind::distance, false, 128};
-const BandPainter kPaintWideDistances = {paint_wide_distances, cover_filtered,
-                                         BandKind::distance, false, 0};
-const BandPainter kPaintAreas = {paint_areas, cover_areas, BandKind::area,
-                                 false, 128};
+// Names the objects of all painters, for band_painter.cpp. Nobody reads it, so
+// that the linker drops it.
+extern PaintPoints* const kOutlinePainters[];
+PaintPoints* const kOutlinePainters[] = {paint_areas, paint_crossings,
+                                         paint_distances, paint_wide_distances};
 
 }  // namespace detail
 

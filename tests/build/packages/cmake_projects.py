@@ -18,11 +18,36 @@ project(user LANGUAGES C CXX)
 add_executable(app main.cpp readme.cpp)
 set_target_properties(app PROPERTIES LINKER_LANGUAGE C)
 target_link_libraries(app PRIVATE inkcell::layout inkcell::port_pixel)
+add_executable(fields EXCLUDE_FROM_ALL fields.cpp)
+set_target_properties(fields PROPERTIES LINKER_LANGUAGE C)
+target_link_libraries(fields PRIVATE inkcell::field inkcell::port_pixel)
 inkcell_add_font(app FONT {font} NAME dejavu_sans CHARS 0x20-0x7E)
 """
 FETCH = """include(FetchContent)
 FetchContent_Declare(inkcell SOURCE_DIR {root})
 FetchContent_MakeAvailable(inkcell)"""
+# A program that opens no font of outlines, with filters of both kinds.
+FIELDS = """#include <inkcell/field/draw.hpp>
+#include <inkcell/painter.hpp>
+#include <inkcell/port/a8.hpp>
+
+using namespace inkcell;
+
+static uint8_t bytes[64];
+static const Style kStyles[] = {Style(24_px), Style(24_px, kFilterText)};
+
+int main() {
+  Font font;
+  Strip strip;
+  strip.pixels = bytes;
+  const port::A8Canvas canvas(strip);
+  const Status status = Font::open({bytes, sizeof bytes}, kFieldCoding, font);
+  Painter(canvas).text(font, kStyles[bytes[0]], {}, "text");
+  return status == Status::ok ? 0 : 1;
+}
+"""
+# What only outlines need: painters, and what reads points.
+OUTLINES = ("paint_areas", "paint_distances", "paint_edge", "OutlineReader::")
 FORCED = re.compile(r"-O[^s ]|-Werror|-W[a-z]")
 
 
@@ -62,6 +87,7 @@ def build(work, host_build, fontgen):
     for name, (get, options) in routes.items():
         folder = work / name
         write_sources(folder)
+        (folder / "fields.cpp").write_text(FIELDS)
         (folder / "CMakeLists.txt").write_text(
             PROJECT.format(get=get, font=FONT))
         call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
@@ -92,3 +118,19 @@ def readme_code(work, fontgen):
          *(f"-DCMAKE_{name}={flags}" for name, flags in options.items()))
     call("cmake", "--build", m3, "--target", "app")
     return code_of(folder / "build/app"), code_of(m3 / "app")
+
+
+def check_fields(work):
+    """Ends the test if a program of fields has code of outlines."""
+    folder = work / "subdirectory/build"
+    call("cmake", "--build", folder, "--target", "fields")
+    names = {program: call("arm-none-eabi-nm", "-C", folder / program)
+             for program in ("app", "fields")}
+    for name in OUTLINES:
+        if name in names["fields"]:
+            raise SystemExit(f"{folder}/fields: {name} is linked, and draws "
+                             "outlines\n0 passed, 1 failed")
+    # The README's program names one filter, and so one painter.
+    if "paint_areas" not in names["app"] or "paint_edge" in names["app"]:
+        raise SystemExit(f"{folder}/app: has other painters than paint_areas\n"
+                         "0 passed, 1 failed")

@@ -27,7 +27,11 @@ extern const Coding kFieldCoding;
 
 /// Font::open() of a font of outlines or of fields, by its header: for programs
 /// whose fonts are not known when they are compiled. Links what draws both.
-Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept;
+inline Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept {
+  const Status status = Font::open(rom, out);
+  return status == Status::unsupported ? Font::open(rom, kFieldCoding, out)
+                                       : status;
+}
 
 /// Draws the glyph whose origin (left end of its baseline) is at `origin`, into
 /// `sink`. Clipped to the sink's window; cannot fail. The picture does not
