@@ -9,7 +9,7 @@ namespace {
 
 alignas(4) uint8_t ram[1 << 17];
 constexpr int32_t kMargin = 128;  // around the ink [u]
-GlyphField field;                 // of the last glyph that was asked for, in ram
+GlyphField field;                 // the last glyph's, in ram
 
 // The middle of the part `index` of `count` that a side has. [u, Q16]
 int32_t middle_q16(int32_t index, int32_t side, int32_t count) {

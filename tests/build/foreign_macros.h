@@ -1,6 +1,6 @@
-/* Macros of other projects that a program may have included before Inkcell: names,
- * not values, so that any use of a name is an error. What C's headers need comes
- * first. */
+// Macros of other projects that a program may have included before Inkcell:
+// names, not values, so that any use of a name is an error. What C's headers
+// need comes first.
 #ifndef FOREIGN_MACROS_H
 #define FOREIGN_MACROS_H
 
