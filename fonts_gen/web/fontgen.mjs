@@ -1,4 +1,5 @@
-// inkcell-fontgen in a worker of a page or in node: files in, files out.
+// inkcell-fontgen in a worker of a page or in node: files in, files out, or in
+// node on the disk.
 
 /**
  * Runs the program once, with the arguments of its command line.
@@ -8,10 +9,12 @@
  * @param {Record<string, Uint8Array>} files what it may read, by name
  * @param {string[]} args
  * @param {(done: number, count: number) => void} [progress] glyphs
+ * @param {{mounts: Record<string, string>, at: string}} [disk] folders of the
+ *   disk by the place where the program finds them, and where it works
  * @returns {Promise<{code: number, out: string, err: string,
  *   files: Record<string, Uint8Array>}>} the files that it has written
  */
-export async function runFontgen(factory, module, files, args, progress) {
+export async function runFontgen(factory, module, files, args, progress, disk) {
   const texts = {out: '', err: ''};
   const program = await factory({
     thisProgram: 'inkcell-fontgen',
@@ -22,7 +25,7 @@ export async function runFontgen(factory, module, files, args, progress) {
       return {};
     },
   });
-  const {FS} = program;
+  const {FS, NODEFS} = program;
   // Standard error is a terminal: a bar of progress begins with \r.
   let line = '';
   FS.getStream(2).tty.ops = {
@@ -43,8 +46,12 @@ export async function runFontgen(factory, module, files, args, progress) {
     fsync() {},
   };
   FS.mkdir('/files');
-  FS.chdir('/files');
-  for (const [name, bytes] of Object.entries(files)) FS.writeFile(name, bytes);
+  for (const [place, root] of Object.entries(disk?.mounts ?? {})) {
+    FS.mkdirTree(place);
+    FS.mount(NODEFS, {root}, place);
+  }
+  FS.chdir(disk?.at ?? '/files');
+  for (const [name, bytes] of Object.entries(files)) FS.writeFile(`/files/${name}`, bytes);
   let code = 1;
   try {
     code = program.callMain(['--threads', '1', ...args]);
@@ -52,9 +59,10 @@ export async function runFontgen(factory, module, files, args, progress) {
     if (error?.name !== 'ExitStatus') throw error;
     code = error.status;
   }
+  /** @type {Record<string, Uint8Array>} */
   const written = {};
   for (const name of FS.readdir('/files')) {
-    if (!(name in files) && !/^\.+$/.test(name)) written[name] = FS.readFile(name);
+    if (!(name in files) && !/^\.+$/.test(name)) written[name] = FS.readFile(`/files/${name}`);
   }
   return {code, ...texts, files: written};
 }

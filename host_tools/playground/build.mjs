@@ -17,9 +17,9 @@ const text = (file) => readFileSync(resolve(here, file), 'utf8');
 const sha256 = (content) => createHash('sha256').update(content);
 const hash = (content) => `'sha256-${sha256(content).digest('base64')}'`;
 
-/** Lines without comments and without the blanks that begin them. */
+/** Without lines of comments. */
 const bare = (script) => script.replace(/^\s*\/\*\*(?:(?!\*\/)[^])*\*\/\s*$/gm, '')
-  .replace(/^\s*\/\/.*$/gm, '').replace(/^\s+/gm, '');
+  .replace(/^\s*\/\/.*$/gm, '').replace(/\n\s*\n/g, '\n');
 
 /** Modules as one, each after those that it imports. */
 function joined(file, done = new Set()) {

@@ -81,60 +81,27 @@ function showDownloads(made, name) {
   }));
 }
 
-/** @param {string} name */
-const programOf = (name) => `#include <inkcell/inkcell.hpp>
-
-#include "${name}.hpp"
-
-using namespace inkcell;
-
-// The strip is some rows of your screen in RAM.
-Status hello(const Strip& strip) {
-  Font font;
-  INKCELL_TRY(Font::open(fonts::${name}, font));
-  port::Rgb565Canvas canvas(strip);  // white on what is there
-  Painter painter(canvas);
-  painter.text(font, Style(24_px), {4, 28}, "Hello");  // {x, baseline}
-  return canvas.status();
+/**
+ * Programs are in page.html, for a font FACE.
+ * @param {any} shown @param {string} name @param {boolean} outlines
+ */
+function showProgram(shown, name, outlines) {
+  shown.dataset.program ??= shown.textContent;
+  let text = shown.dataset.program.replaceAll('FACE', name);
+  if (!outlines) {
+    text = text.replace(`fonts::${name}, `, `fonts::${name}, kFieldCoding, `)
+      .replace('inkcell.hpp>\n', 'inkcell.hpp>\n#include <inkcell/field/draw.hpp>\n');
+  }
+  shown.textContent = text;
 }
-`;
-
-/** @param {string} name */
-const programOfC = (name) => `#include <inkcell/inkcell.h>
-
-#include "${name}.h"
-
-inkcell_status_t hello(uint8_t* pixels, size_t bytes, int32_t width, int32_t height) {
-  const inkcell_rgb565_target_t target = {
-      {pixels, bytes, 0, 0, width, height, INKCELL_STRIDE_BYTES(INKCELL_RGB565, width)},
-      0xFFFF, INKCELL_HIGH_FIRST};
-  inkcell_font_t font;
-  inkcell_style_t style;
-  inkcell_sink_t sink;
-  inkcell_status_t status = inkcell_font_open(${name}, ${name}_size, &font);
-  if (status == INKCELL_OK) {
-    status = inkcell_style_make(INKCELL_Q6(24), &inkcell_filter_text, &style);
-  }
-  if (status == INKCELL_OK) {
-    status = inkcell_rgb565_sink(&target, &sink);
-  }
-  if (status == INKCELL_OK) {
-    inkcell_draw_text(&font, "Hello", INKCELL_TERMINATED, &style, INKCELL_Q6(4),
-                      INKCELL_Q6(28), &sink, NULL);
-  }
-  return status;
-}
-`;
 
 /** @param {string} name @param {string[]} args @param {boolean} outlines */
 function showLines(name, args, outlines) {
   $('command').textContent = ['inkcell-fontgen', ...args, '--name', name, '--out',
     `${name}.hpp`].map(quoted).join(' ');
   $('cmake').textContent = cmakeOf(args, name);
-  $('usage').textContent = outlines ? programOf(name)
-    : programOf(name).replace(`fonts::${name}, `, `fonts::${name}, kFieldCoding, `)
-      .replace('inkcell.hpp>\n', 'inkcell.hpp>\n#include <inkcell/field/draw.hpp>\n');
-  $('usage-c').textContent = programOfC(name);
+  showProgram($('usage'), name, outlines);
+  showProgram($('usage-c'), name, true);
   $('usage-c').parentElement.hidden = !outlines;
 }
 

@@ -70,6 +70,41 @@ for (const [name, [font, ...options]] of Object.entries(cases)) {
     `bytes equal, ${seconds(process.cpuUsage(begin))} s`);
 }
 
+// A font in parts, as workers build it: the same bytes. Times on one thread.
+const dejavu = {'F.ttf': readFileSync(`${truetype}/dejavu/DejaVuSans.ttf`)};
+async function timed(inputs, ...args) {
+  const begin = process.cpuUsage();
+  const result = await runFontgen(factory, module, inputs,
+    ['--font', 'F.ttf', '--quiet', ...args]);
+  assert.equal(result.code, 0, result.err);
+  return {...result, seconds: process.cpuUsage(begin).user / 1e6};
+}
+if (!only) {
+  const whole = await timed(dejavu, '--out', 'f.bin');
+  const screen = await timed(dejavu, '--symbols', 'Temperature 23.5 °C!', '--out', 'f.bin');
+  const cores = 4;
+  const load = Array(cores).fill(0);  // as workers take part after part
+  load[0] = screen.seconds;
+  const built = {};
+  for (let part = 0; part < 2 * cores; ++part) {
+    const made = await timed(dejavu, '--part', `${part}/${2 * cores}`, '--out', `${part}.glyphs`);
+    load[load.indexOf(Math.min(...load))] += made.seconds;
+    Object.assign(built, made.files);
+  }
+  const merged = await timed({...dejavu, ...built},
+    ...Object.keys(built).flatMap((name) => ['--built', name]), '--out', 'f.bin');
+  execFileSync(host, ['--font', `${truetype}/dejavu/DejaVuSans.ttf`, '--quiet', '--out',
+    'whole.bin'], {cwd: folder});
+  const native = readFileSync(`${folder}/whole.bin`);
+  assert.ok(native.equals(whole.files['f.bin']), 'ASCII');
+  assert.ok(native.equals(merged.files['f.bin']), 'ASCII in parts');
+  const path = Math.max(...load) + merged.seconds;
+  console.log(`ASCII: ${whole.seconds.toFixed(2)} s of processor time in one run; ` +
+    `${path.toFixed(2)} s on ${cores} cores, of it putting together ` +
+    `${merged.seconds.toFixed(2)} s; 20 characters ${screen.seconds.toFixed(2)} s`);
+  assert.ok(path < 0.75 * whole.seconds, 'parts do not pay');
+}
+
 // Progress, the report, and what is refused.
 const input = {'F.ttf': readFileSync(`${truetype}/dejavu/DejaVuSans.ttf`)};
 const heard = [];
