@@ -24,7 +24,7 @@ FOLDERS = ["core/src/base", "core/src/font", "core/src/text", "core/src/place",
 
 ENTRIES = ["LineBreaker::next", "next_line", "shorten", "lay_out",
            "Bidi::resolve", "TextBox::lay_out", "TextBox::draw",
-           "TextBox::measure", "TextBox::hit", "TextBox::caret",
+           "TextBox::box", "TextBox::measure", "TextBox::hit", "TextBox::caret",
            "ScrollingLabel::make"]
 
 # Members of BidiOrder, in the order of its initializer, and who calls them,
@@ -39,6 +39,7 @@ CALLS_BIDI = {
     "lay_out": ["prepare"],
     "make": ["prepare"],
     "draw": ["prepare"],
+    "box": ["prepare"],
     "hit": ["prepare"],
     "caret": ["prepare"],
     "level": ["level"],

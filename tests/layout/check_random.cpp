@@ -391,7 +391,9 @@ void check_drawing(const Trial& trial) {
   for (const uint8_t pixel : whole) {
     inked += pixel != 0 ? 1 : 0;
   }
-  check(!is_outside(whole, trial.box.rect), "ink outside the box");
+  check(!is_outside(whole, trial.box.box(trial.view())),
+        "ink outside of what box() tells");
+  check(!is_outside(whole, trial.box.clip), "ink outside the clip");
   check(draw(trial, 7, {}) == whole, "strips differ");
   std::vector<TextLine> room(trial.text.size() + 1);
   Span<const TextLine> lines;

@@ -3,6 +3,7 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/text_box.hpp"
+#include "inkcell/painter.hpp"
 #include "layout_font.hpp"
 #include "picture.hpp"
 
@@ -287,6 +288,110 @@ TEST(boxes_clip_and_shorten) {
                 "...:**:..:**:..:**:..:**:.......\n");
 }
 
+// The last line of a box holds what it has room for, not whole words.
+TEST(an_ellipsis_fills_its_line) {
+  const Setting setting;
+  TextBox box = setting.box({0, 0, 34, 11});
+  box.options.ellipsis = Ellipsis::end;  // three points of 6 px
+  TextLine room[4];
+  Span<const TextLine> lines;
+  CHECK_OK(box.lay_out("A ABABABAB", room, lines));
+  CHECK_EQ(lines.size, 1);
+  CHECK(lines[0].has_ellipsis);
+  CHECK_EQ(lines[0].skip_at, 1);  // 'A' and no more than 16 px
+  box.rect.x1 = 46;
+  CHECK_OK(box.lay_out("A ABABABAB", room, lines));
+  CHECK_EQ(lines[0].skip_at, 4);  // 'A AB'
+  CHECK_EQ(lines[0].width, 3 * 750 + 500 + 3 * 600);
+  // In the second line, too, and not beyond its paragraph.
+  box.rect.y1 = 22;
+  CHECK_OK(box.lay_out("A\nA ABABABAB", room, lines));
+  CHECK_EQ(lines.size, 2);
+  CHECK(!lines[0].has_ellipsis);
+  CHECK_EQ(lines[1].skip_at, 4);
+  CHECK_OK(box.lay_out("A\nA\nABABABAB", room, lines));
+  CHECK_EQ(lines.size, 2);
+  CHECK_EQ(lines[1].skip_at, 1);
+  // By hand.
+  TextLine line;
+  CHECK(next_line(box.options, "A ABABABAB", Q26_6::from_int(46), line));
+  CHECK_EQ(line.next, 2);
+  shorten(box.options, "A ABABABAB", Q26_6::from_int(46), line);
+  CHECK_EQ(line.skip_at, 4);
+}
+
+// A disc for A, twice as wide as its advance.
+Font open_overhanging() {
+  static const font_builder::CmapEntry kCmap[] = {{'A', 0, 1}};
+  static const font_builder::GlyphSpec kGlyphs[] = {
+      {600, {195, 0, 430, 625}, font_builder::bar, nullptr},
+      {300, {82, 82, 668, 668}, font_builder::disc, nullptr}};
+  font_builder::FontSpec spec;
+  spec.cmap = {kCmap, 1};
+  spec.glyphs = {kGlyphs, 2};
+  Font font;
+  const size_t size = font_builder::build_font(spec, rom);
+  CHECK_OK(open_any_font({rom, size}, font));
+  return font;
+}
+
+template <int32_t kWidth, int32_t kHeight>
+int32_t ink_of(const Picture<kWidth, kHeight>& picture) {
+  int32_t sum = 0;
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = 0; x < kWidth; ++x) {
+      sum += picture.at(x, y);
+    }
+  }
+  return sum;
+}
+
+TEST(ink_may_overhang_a_box) {
+  const Font font = open_overhanging();
+  const Style style(10_px, kFilterText);
+  TextBox box(font, style, {3, 8, 30, 20});
+  box.options.line_height = 4_px;  // less than the disc
+  const TextSize size = box.measure("A");
+  box.rect.x1 = 3 + size.width.floor();
+  box.rect.y1 = 8 + size.height.floor();
+  CHECK_EQ(box.rect.x1, 6);
+  CHECK_EQ(box.rect.y1, 12);
+  Picture<20, 20> whole, boxed, cut;
+  inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
+  box.draw("A", boxed.sink());
+  CHECK(ink_of(whole) > 26 * 255);
+  CHECK_EQ(ink_of(whole), ink_of(boxed));
+  const Rect ink = box.box("A");
+  const Rect by_painter = Painter().box(font, style, {3, 13}, "A");
+  CHECK_EQ(ink.x0, by_painter.x0);
+  CHECK_EQ(ink.y0, by_painter.y0);
+  CHECK_EQ(ink.x1, by_painter.x1);
+  CHECK_EQ(ink.y1, by_painter.y1);
+  CHECK(ink.x1 > box.rect.x1 && ink.y0 < box.rect.y0);
+  // Ink is cut where somebody asks for it.
+  box.clip = box.rect;
+  box.draw("A", cut.sink());
+  CHECK(ink_of(cut) < 12 * 255);
+  CHECK_EQ(box.box("A").x1, 6);
+  CHECK_EQ(box.box("A").y0, 8);
+}
+
+TEST(lines_outside_a_box_are_left_out) {
+  const Setting setting;
+  static Picture<30, 60> picture;
+  TextBox box = setting.box({4, 20, 20, 35});
+  const Text text = "C\nC\nC\nC";
+  box.draw(text, picture.sink());
+  // Of the second line, which begins in it; the third begins at 42.
+  CHECK(picture.at(7, 24) != 0 && picture.at(7, 38) != 0);
+  CHECK_EQ(picture.at(7, 50), 0);
+  CHECK(box.box(text).y0 >= 20 && box.box(text).y0 <= 22);
+  CHECK(box.box(text).y1 >= 39 && box.box(text).y1 <= 42);
+  box.vertical = VerticalAlign::bottom;
+  CHECK(box.box(text).y0 >= 13 && box.box(text).y0 <= 15);
+  CHECK(box.box(text).y1 >= 32 && box.box(text).y1 <= 35);
+}
+
 TEST(mixed_lines_are_ordered) {
   const Setting setting;
   // The rings stand for alef, the bars of letters for bet and C.
@@ -380,6 +485,22 @@ TEST(labels_scroll) {
                 "..:##:......:##:..*##.\n"
                 "..:##:......:##:..:*#.\n"
                 "..:**:......:**:....:.\n");
+}
+
+TEST(a_label_that_fits_is_not_cut) {
+  const Font font = open_overhanging();
+  const Style style(10_px, kFilterText);
+  LayoutOptions options(font, style);
+  options.line_height = 4_px;
+  PositionedGlyph room[8];
+  ScrollingLabel label;
+  CHECK_OK(ScrollingLabel::make(options, "A", {3, 8, 6, 12}, room, label));
+  Picture<20, 20> whole, drawn, scrolled;
+  inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
+  label.draw({}, drawn.sink());
+  CHECK_EQ(ink_of(whole), ink_of(drawn));
+  label.draw(1_px, scrolled.sink());
+  CHECK(ink_of(scrolled) <= 12 * 255);
 }
 
 TEST(screens_have_paragraphs_and_labels) {

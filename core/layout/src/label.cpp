@@ -81,13 +81,21 @@ size_t ScrollingLabel::first_from(int32_t x) const noexcept {
 void ScrollingLabel::draw(Q26_6 scroll,
                           const Sink& sink,
                           Workspace workspace) const noexcept {
+  const bool is_still = scroll.raw == 0 && !needs_scrolling();
+  draw_in(is_still ? sink.window : window_, scroll, sink, workspace);
+}
+
+void ScrollingLabel::draw_in(const Rect& clip,
+                             Q26_6 scroll,
+                             const Sink& sink,
+                             Workspace workspace) const noexcept {
   if (face_.font == nullptr) {
     return;
   }
   constexpr int32_t kFar = 1 << 28;
   scroll.raw = detail::clamp_to(scroll.raw, kFar);
   Sink clipped = sink;
-  clipped.window = intersect(sink.window, window_);
+  clipped.window = intersect(sink.window, clip);
   const int32_t left_px = (clipped.window.x0 - window_.x0) * 64 + scroll.raw;
   const int32_t right_px = (clipped.window.x1 - window_.x0) * 64 + scroll.raw;
   if (is_empty(clipped.window)) {
@@ -120,7 +128,7 @@ void ScrollingLabel::draw_endless(Q26_6 scroll,
   at = at < 0 ? at + period : at;
   const int32_t room = (window_.x1 - window_.x0) * 64;
   for (; - at < room; at -= period) {
-    draw(Q26_6::from_raw(at), sink, workspace);
+    draw_in(window_, Q26_6::from_raw(at), sink, workspace);
   }
 }
 

@@ -10,6 +10,7 @@ using detail::Break;
 using detail::Cell;
 using detail::LineClass;
 using detail::LineCursor;
+using detail::LineEnds;
 using detail::LineState;
 using detail::LineWalk;
 using detail::Pen;
@@ -30,8 +31,13 @@ class LineFinder {
   LineFinder(const LayoutOptions& options,
              const Text& text,
              int32_t room,
+             LineEnds ends,
              TextLine& line) noexcept
-      : walk_(options, text, line), line_(line), room_(room), end_(line.begin) {
+      : walk_(options, text, line),
+        line_(line),
+        room_(room),
+        end_(line.begin),
+        ends_(ends) {
     line_.next = line.begin;
   }
 
@@ -57,7 +63,8 @@ class LineFinder {
       end_paragraph(code_point);
       return false;
     }
-    if (place == Break::allowed && end_ != line_.begin) {
+    if (place == Break::allowed && ends_ == LineEnds::at_breaks &&
+        end_ != line_.begin) {
       keep_place(cell.begin);
     }
     is_after_hyphen_ =
@@ -131,6 +138,7 @@ class LineFinder {
   uint16_t pending_gaps_ = 0;  // that count if something follows them
   bool is_after_hyphen_ = false;
   bool has_place_ = false;  // where a line may end
+  LineEnds ends_;
 };
 
 __attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
@@ -268,9 +276,10 @@ bool detail::begin_line(const LayoutOptions& options,
 void detail::find_end(const LayoutOptions& options,
                       const Text& text,
                       Q26_6 width,
-                      TextLine& line) noexcept {
+                      TextLine& line,
+                      LineEnds ends) noexcept {
   const int32_t room = options.wraps ? room_of(options, width) : INT32_MAX;
-  LineFinder(options, text, room, line).find();
+  LineFinder(options, text, room, ends, line).find();
 }
 
 bool detail::is_too_wide(const LayoutOptions& options,
@@ -321,6 +330,7 @@ void shorten(const LayoutOptions& options,
              Q26_6 width,
              TextLine& line) noexcept {
   line.base_level = detail::prepare(options, text, line);
+  detail::fill_line(options, text, width, line);
   detail::shorten_line(options, text, width, line);
 }
 

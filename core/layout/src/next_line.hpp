@@ -24,18 +24,34 @@ bool begin_line(const LayoutOptions& options,
                 const Text& text,
                 TextLine& line) noexcept;
 
+// Where a line may end.
+enum class LineEnds : uint8_t { at_breaks, anywhere };
+
 // Finds where it ends, but for an ellipsis.
 void find_end(const LayoutOptions& options,
               const Text& text,
               Q26_6 width,
-              TextLine& line) noexcept;
+              TextLine& line,
+              LineEnds ends = LineEnds::at_breaks) noexcept;
 
 // Whether a line that does not wrap is to be shortened.
 bool is_too_wide(const LayoutOptions& options,
                  Q26_6 width,
                  const TextLine& line) noexcept;
 
-// As shorten().
+// Before shorten_line(): what follows its last whole word fills the line.
+inline void fill_line(const LayoutOptions& options,
+                      const Text& text,
+                      Q26_6 width,
+                      TextLine& line) noexcept {
+  if (options.wraps) {
+    line.ends_paragraph = false;
+    line.is_last = false;
+    find_end(options, text, width, line, LineEnds::anywhere);
+  }
+}
+
+// Ends the line with an ellipsis.
 void shorten_line(const LayoutOptions& options,
                   const Text& text,
                   Q26_6 width,

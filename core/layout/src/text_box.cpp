@@ -1,167 +1,60 @@
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/painter.hpp"
 
-#include "line_cursor.hpp"
-#include "next_line.hpp"
+#include "box_lines.hpp"
 
 namespace inkcell {
 
+using detail::BoxLines;
 using detail::Cell;
+using detail::kFar;
+using detail::line_step;
 using detail::LineCursor;
 
 namespace {
 
-// Lines and boxes lie within this. [px, Q6]
-constexpr int32_t kFar = 1 << 28;
+// What becomes of the glyphs of a box: they are drawn, or their pixels added
+// up.
+struct Drawing {
+  const Sink& sink;
+  const Workspace& workspace;
 
-Q26_6 width_of(const TextBox& box) noexcept {
-  return Q26_6::from_int(box.rect.x1 - box.rect.x0);
-}
-
-int32_t height_of(const TextBox& box) noexcept {
-  return (box.rect.y1 - box.rect.y0) * 64;
-}
-
-int32_t line_step(const TextBox& box) noexcept {
-  return detail::clamp_to(line_height(box.options).raw, kFar);
-}
-
-// With an ellipsis a box holds no more lines than it has room for.
-size_t most_lines(const TextBox& box) noexcept {
-  if (box.options.ellipsis == Ellipsis::none || !box.options.wraps) {
-    return SIZE_MAX;
+  __attribute__((noinline)) void take(
+      const TextBox& box,
+      Point origin,
+      const PositionedGlyph& glyph) const noexcept {
+    Sink clipped = sink;
+    clipped.window = intersect(clipped.window, box.clip);
+    inkcell::Painter(clipped, workspace)
+        .glyphs(box.options.face, box.options.fallback, origin, {&glyph, 1});
   }
-  const int32_t height = line_step(box);
-  const int32_t room = height_of(box);
-  return height > 0 && room > height
-             ? static_cast<uint32_t>(room) / static_cast<uint32_t>(height)
-             : 1;
-}
-
-// The lines of a box, one after the other: those that are given, or found anew.
-// What it is made from must outlive it.
-class BoxLines {
- public:
-  BoxLines(const TextBox& box,
-           const Text& text,
-           const Span<const TextLine>& given) noexcept
-      : box_(box), text_(text), given_(given) {
-    if (box.options.bidi() != nullptr) {
-      box.options.bidi()->forget();
-    }
-    most_ = is_given() ? given.size : most_lines(box);
-  }
-
-  const TextBox& box() const noexcept { return box_; }
-  const TextLine& line() const noexcept { return line_; }
-  // Whether next() would find none.
-  bool is_last() const noexcept { return line_.is_last || count_ == most_; }
-
-  bool next() noexcept;
-
-  // Where the first line begins, from the top of the screen. [px, Q6] Only
-  // before next() was called.
-  int32_t top() noexcept;
-
-  // Of a line that is prepared.
-  void prepare() const noexcept {
-    static_cast<void>(detail::prepare(box_.options, text_, line_));
-  }
-  LineCursor cursor() const noexcept {
-    LineCursor cursor(box_.options, text_, line_);
-    cursor.align(width_of(box_));
-    return cursor;
-  }
-
- private:
-  bool is_given() const noexcept { return given_.data != nullptr; }
-
-  const TextBox& box_;
-  const Text& text_;
-  const Span<const TextLine>& given_;
-  TextLine line_;
-  size_t count_ = 0;
-  size_t most_;
 };
 
-__attribute__((noinline)) bool BoxLines::next() noexcept {
-  if (count_ == most_) {
-    return false;
-  }
-  if (is_given()) {
-    line_ = given_[count_++];
-    return true;
-  }
-  if (!detail::find_next_line(box_.options, text_, width_of(box_), line_)) {
-    return false;
-  }
-  ++count_;
-  if (count_ == most_ && !line_.is_last) {
-    detail::shorten_line(box_.options, text_, width_of(box_), line_);
-  }
-  return true;
-}
+struct Summing {
+  Rect& sum;
 
-// Where the first of so many lines begins.
-__attribute__((noinline)) int32_t top_of(const TextBox& box,
-                                         size_t count) noexcept {
-  const int32_t top = box.rect.y0 * 64;
-  const int32_t height = line_step(box);
-  const int64_t lines = static_cast<int64_t>(count) * height;
-  int32_t room =
-      height_of(box) - (lines < kFar ? static_cast<int32_t>(lines) : kFar);
-  if (box.vertical == VerticalAlign::bottom) {
-    return top + room;
+  __attribute__((noinline)) void take(
+      const TextBox& box,
+      Point origin,
+      const PositionedGlyph& glyph) const noexcept {
+    const Rect pixels = inkcell::Painter().box(
+        box.options.face, box.options.fallback, origin, {&glyph, 1});
+    sum = bounding_box(sum, intersect(pixels, box.clip));
   }
-  if (box.vertical == VerticalAlign::optical) {
-    const Face& face = box.options.face;
-    const int32_t rise = baseline(box.options).raw;
-    const int32_t cap =
-        to_px(*face.font, *face.style, face.font->metrics().cap_height).raw;
-    // What is above capitals in the first line, and below the last baseline.
-    room += (height - rise) - (rise - cap);
-  }
-  // Whole pixels, so that lines stay as sharp as at the top.
-  return top + ((room / 2) & ~63);
-}
+};
 
-__attribute__((noinline)) int32_t BoxLines::top() noexcept {
-  if (box_.vertical == VerticalAlign::top) {
-    return box_.rect.y0 * 64;
-  }
-  if (!is_given()) {
-    while (next()) {
-    }
-    line_ = {};
-  }
-  const size_t count = is_given() ? given_.size : count_;
-  count_ = 0;
-  return top_of(box_, count);
-}
-
-__attribute__((noinline)) void draw_cell(const TextBox& box,
-                                         const PositionedGlyph& glyph,
+template <typename Taker>
+__attribute__((noinline)) void take_line(const BoxLines& lines,
                                          int32_t y_q6,
-                                         const Sink& sink,
-                                         Workspace workspace) noexcept {
-  Sink clipped = sink;
-  clipped.window = intersect(sink.window, box.rect);
+                                         const Taker& taker) noexcept {
+  const TextBox& box = lines.box();
   const Point origin = {Q26_6::from_int(box.rect.x0), Q26_6::from_raw(y_q6)};
-  inkcell::Painter(clipped, workspace)
-      .glyphs(box.options.face, box.options.fallback, origin, {&glyph, 1});
-}
-
-__attribute__((noinline)) void draw_line(const BoxLines& lines,
-                                         int32_t y_q6,
-                                         const Sink& sink,
-                                         const Workspace& workspace) noexcept {
   LineCursor cursor = lines.cursor();
   Cell cell;
   while (cursor.next(cell)) {
     if (cell.has_ink) {
-      draw_cell(lines.box(),
-                detail::positioned(cursor.pen(), lines.line(), cell), y_q6,
-                sink, workspace);
+      taker.take(box, origin,
+                 detail::positioned(cursor.pen(), lines.line(), cell));
     }
   }
 }
@@ -234,7 +127,7 @@ namespace {
 
 // How far ink may be from its baseline: by no more than the box of the font,
 // and the line that other faces and effects may take. [px, Q6]
-__attribute__((noinline)) int32_t ink_reach(const TextBox& box) noexcept {
+int32_t ink_reach(const TextBox& box) noexcept {
   const Face& face = box.options.face;
   const FontMetrics metrics = face.font->metrics();
   const int32_t up = metrics.y_max;
@@ -243,25 +136,53 @@ __attribute__((noinline)) int32_t ink_reach(const TextBox& box) noexcept {
   return detail::clamp_to(reach.raw + line_step(box), kFar);
 }
 
+// The rows that ink of a line may have, whose top is given. [px, Q6]
+__attribute__((noinline)) int32_t ink_top(const TextBox& box,
+                                          int32_t top) noexcept {
+  return top + baseline(box.options).raw - ink_reach(box);
+}
+__attribute__((noinline)) int32_t ink_bottom(const TextBox& box,
+                                             int32_t top) noexcept {
+  return top + baseline(box.options).raw + ink_reach(box);
+}
+
+// Takes the glyphs of lines that meet the box and the window. Keeps little on
+// the stack, which finding lines is deep on.
+template <typename Taker>
+__attribute__((always_inline)) inline void take_lines(
+    const TextBox& box,
+    const Text& text,
+    const Span<const TextLine>& lines,
+    const Rect& window,
+    const Taker& taker) noexcept {
+  BoxLines found(box, text, lines);
+  int32_t top = found.top();
+  while (top < box.rect.y1 * 64 && ink_top(box, top) <= window.y1 * 64 &&
+         found.next()) {
+    const int32_t next = top + line_step(box);
+    if (next > box.rect.y0 * 64 && ink_bottom(box, top) >= window.y0 * 64) {
+      found.prepare();
+      take_line(found, top + baseline(box.options).raw, taker);
+    }
+    top = next;
+  }
+}
+
 }  // namespace
 
 void TextBox::draw(Text text,
                    const Sink& sink,
                    Workspace workspace,
                    Span<const TextLine> lines) const noexcept {
-  if (is_empty(intersect(sink.window, rect))) {
-    return;
+  if (!is_empty(intersect(sink.window, clip))) {
+    take_lines(*this, text, lines, sink.window, Drawing{sink, workspace});
   }
-  BoxLines found(*this, text, lines);
-  int32_t y_q6 = found.top() + baseline(options).raw;
-  const int32_t reach = ink_reach(*this);
-  while (found.next() && y_q6 - reach <= sink.window.y1 * 64) {
-    if (y_q6 + reach >= sink.window.y0 * 64) {
-      found.prepare();
-      draw_line(found, y_q6, sink, workspace);
-    }
-    y_q6 += line_step(*this);
-  }
+}
+
+Rect TextBox::box(Text text, Span<const TextLine> lines) const noexcept {
+  Rect sum;
+  take_lines(*this, text, lines, clip, Summing{sum});
+  return sum;
 }
 
 TextSize TextBox::measure(Text text,

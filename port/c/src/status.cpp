@@ -439,6 +439,8 @@ static_assert(offsetof(inkcell_text_box_t, layout) == offsetof(TextBox, options)
     && sizeof(inkcell_text_box_t::layout) == sizeof(TextBox::options));
 static_assert(offsetof(inkcell_text_box_t, rect) == offsetof(TextBox, rect) &&
     sizeof(inkcell_text_box_t::rect) == sizeof(TextBox::rect));
+static_assert(offsetof(inkcell_text_box_t, clip) == offsetof(TextBox, clip) &&
+    sizeof(inkcell_text_box_t::clip) == sizeof(TextBox::clip));
 static_assert(offsetof(inkcell_text_box_t, vertical) == offsetof(TextBox,
     vertical) && sizeof(inkcell_text_box_t::vertical) ==
     sizeof(TextBox::vertical));

@@ -40,7 +40,8 @@ class ScrollingLabel {
   bool needs_scrolling() const noexcept;
 
   /// Draws the line moved to the left by `scroll`. Finds the glyphs in the
-  /// window by a binary search: the time does not depend on the others.
+  /// window by a binary search: the time does not depend on the others. Cuts
+  /// ink at the window, unless the line fits and is not moved.
   void draw(Q26_6 scroll,
             const Sink& sink,
             Workspace workspace = {}) const noexcept;
@@ -53,6 +54,10 @@ class ScrollingLabel {
                     Workspace workspace = {}) const noexcept;
 
  private:
+  void draw_in(const Rect& clip,
+               Q26_6 scroll,
+               const Sink& sink,
+               Workspace workspace) const noexcept;
   size_t first_from(int32_t x) const noexcept;
 
   Face face_;

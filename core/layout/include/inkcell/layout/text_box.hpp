@@ -1,4 +1,4 @@
-// Text in a rectangle: wrapped, aligned, clipped; with carets and hit tests.
+// Text in a rectangle: wrapped, aligned, shortened; with carets and hit tests.
 //
 //   TextBox box(font, style, {8, 8, 232, 120}, Align::centre);
 //   box.draw("A paragraph that wraps.", sink);
@@ -52,8 +52,12 @@ struct TextSize {
 /// width.
 struct TextBox {
   LayoutOptions options;
-  /// On the screen, within +-32767 px; what is outside it is cut off.
+  /// Where lines stand on the screen, within +-32767 px. Ink may overhang it,
+  /// as that of swashes and of accents over the first line; lines that are
+  /// wholly above or below it are not drawn.
   Rect rect;
+  /// What is outside of it is cut off; by default nothing is.
+  Rect clip = {-32767, -32767, 32767, 32767};
   VerticalAlign vertical = VerticalAlign::top;
 
   constexpr TextBox() noexcept = default;
@@ -78,6 +82,11 @@ struct TextBox {
             Workspace workspace = {},
             Span<const TextLine> lines = {}) const noexcept;
 
+  /// The pixels that draw() may touch: the ink with filter, fitting and effect,
+  /// and how far it overhangs `rect`. Empty if nothing shows.
+  Rect box(Text text, Span<const TextLine> lines = {}) const noexcept;
+
+  /// The advances. A rectangle of that size cuts nothing.
   TextSize measure(Text text, Span<const TextLine> lines = {}) const noexcept;
 
   /// The caret nearest to the middle of a pixel: in the line at its height, or

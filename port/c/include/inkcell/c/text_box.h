@@ -28,8 +28,10 @@ enum {
 /// inkcell_text_box_init() fills it in; then change what shall be different.
 typedef struct INKCELL_SHARED inkcell_text_box_t {
   inkcell_layout_t layout;
-  /// On the screen, within +-32767 px; what is outside it is cut off.
+  /// Where lines stand on the screen, within +-32767 px. Ink may overhang it.
   inkcell_rect_t rect;
+  /// What is outside of it is cut off; by default nothing is.
+  inkcell_rect_t clip;
   uint8_t vertical;
 } inkcell_text_box_t;
 
