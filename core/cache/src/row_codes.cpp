@@ -307,21 +307,6 @@ __attribute__((noinline)) void write_rows(Rows& rows,
   rows = {at, 0, repeats, last};
 }
 
-// Calls the sink with rows of sub-pixels.
-void draw_channels(const Sink& sink,
-                   const Rect& pixels,
-                   const uint8_t* row,
-                   int32_t stride) noexcept {
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const uint8_t* at = row;
-    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
-      sink.coverage_rgb(sink.context, x, y, at, min(kMaxSpan, pixels.x1 - x));
-      at += kMaxSpan * 3;
-    }
-    row += stride;
-  }
-}
-
 // A glyph that is drawn.
 struct Job {
   const Sink& sink;
@@ -350,11 +335,8 @@ struct Job {
     const auto write =
         is_wide(layout.eights) ? write_rows<true> : write_rows<false>;
     write(rows, layout, bytes, bytes + count * layout.stride);
-    if (layout.channels == 1) {
-      emit(sink, shown, bytes + first, layout.stride);
-    } else {
-      draw_channels(sink, shown, bytes + first, layout.stride);
-    }
+    const auto draw = layout.channels == 1 ? emit : emit_rgb;
+    draw(sink, shown, bytes + first, layout.stride);
     shown.y0 = shown.y1;
     shown.y1 = end;
   }

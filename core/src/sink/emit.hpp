@@ -8,8 +8,12 @@
 namespace inkcell {
 namespace detail {
 
-// Hands on a block of coverage whose rows are `stride` bytes apart, and a row
-// of one.
+// Draws a block of coverage whose rows are `stride` bytes apart, and a row of
+// one.
+//
+// All coverage of glyphs passes here but for that of sub-pixels that are mixed
+// (effects/lcd.cpp) and of type that moves (kinetic/src/pixel_run.hpp). Both
+// find runs while they make pixels. emit_row() would look for them once more.
 void emit(const Sink& sink,
           const Rect& pixels,
           const uint8_t* coverage,
@@ -20,6 +24,11 @@ void emit_row(const Sink& sink,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept;
+// A block of three coverages a pixel.
+void emit_rgb(const Sink& sink,
+              const Rect& pixels,
+              const uint8_t* coverage,
+              int32_t stride) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell
