@@ -24,8 +24,8 @@ CORE = {
     "font": "",
     "place": "",
     "outlines": "font place",
-    "rows": "sink outlines place",
-    "effects": "sink rows",
+    "rows": "outlines place",
+    "effects": "rows",
     "fit": "",
     "text": "place outlines rows",
     "verify": "font outlines",
@@ -33,8 +33,8 @@ CORE = {
 
 # Folders of core that are libraries, and the rooms of core/src that each may use.
 LIBRARIES = {
-    "cache": "base sink text",
-    "field": "base sink place outlines rows",
+    "cache": "base rows text",
+    "field": "base place outlines rows",
     "kinetic": "base",
     "layout": "text",
 }

@@ -11,7 +11,7 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "outline_record.hpp"
-#include "sink/emit.hpp"
+#include "rows/emit_band.hpp"
 
 namespace {
 

@@ -76,18 +76,18 @@ double worst_preset_error(const Filter& filter, double exponent) {
 // Filters name what paints outlines with them.
 TEST(painters_of_filters) {
   using namespace inkcell::detail;
-  CHECK(Filter().painter == nullptr);
-  CHECK(kFilterArea.painter == &kPaintAreas);
-  CHECK(kFilterText.painter == &kPaintPixelRamp);
-  CHECK(kFilterMotion.painter == &kPaintWideDistances);
-  CHECK(make_filter(spec(-512, 512, 300)).painter == &kPaintDistances);
-  CHECK(make_filter(spec(-513, 512, 256)).painter == &kPaintWideDistances);
-  CHECK(make_filter(spec(-512, 513, 256)).painter == &kPaintWideDistances);
+  CHECK(Filter().band_kind == nullptr);
+  CHECK(kFilterArea.band_kind == &kAreaBand);
+  CHECK(kFilterText.band_kind == &kPixelRampBand);
+  CHECK(kFilterMotion.band_kind == &kWideDistanceBand);
+  CHECK(make_filter(spec(-512, 512, 300)).band_kind == &kDistanceBand);
+  CHECK(make_filter(spec(-513, 512, 256)).band_kind == &kWideDistanceBand);
+  CHECK(make_filter(spec(-512, 513, 256)).band_kind == &kWideDistanceBand);
   const Q6_10 weight = Q6_10::from_raw(1);
-  CHECK(with_weight(kFilterText, weight).painter == &kPaintWideDistances);
+  CHECK(with_weight(kFilterText, weight).band_kind == &kWideDistanceBand);
   // Weight needs distances.
-  CHECK(with_weight(kFilterArea, weight).painter == &kPaintWideDistances);
-  CHECK(with_weight(kFilterArea, {}).painter == &kPaintPixelRamp);
+  CHECK(with_weight(kFilterArea, weight).band_kind == &kWideDistanceBand);
+  CHECK(with_weight(kFilterArea, {}).band_kind == &kPixelRampBand);
   CHECK_EQ(checksum(kFilterArea), checksum(kFilterText));
 }
 

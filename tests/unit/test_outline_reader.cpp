@@ -1,5 +1,5 @@
 // From the bits of a record to points on the screen.
-#include "outlines/outline_reader.hpp"
+#include "outlines/outline_glyph.hpp"
 
 #include "check.hpp"
 #include "inkcell/format/rom.hpp"

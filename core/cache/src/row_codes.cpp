@@ -6,7 +6,7 @@
 #include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "sink/emit.hpp"
+#include "rows/emit_band.hpp"
 
 namespace inkcell {
 namespace detail {

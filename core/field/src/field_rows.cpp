@@ -226,15 +226,15 @@ void FieldRows::fill_crossings(const Band& band,
 }
 
 void FieldRows::fill(const Band& band,
-                     BandKind kind,
+                     BandBytes kind,
                      int32_t x_q8,
                      int32_t y_q8) const noexcept {
   const FieldPlace first = place_of(x_q8, y_q8);
-  if (kind == BandKind::crossings) {
+  if (kind == BandBytes::crossings) {
     fill_crossings(band, first);
     return;
   }
-  const bool is_area = kind == BandKind::area;
+  const bool is_area = kind == BandBytes::area;
   // Units of the band a pixel: 127 steps of its reach, or areas. A sample that
   // is a third of a pixel both ways has the ramp of one that is a pixel.
   const int32_t more = is_area && columns_ == rows_ ? columns_ : 1;

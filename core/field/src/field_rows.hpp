@@ -15,7 +15,7 @@
 #include "field_sampler.hpp"
 #include "inkcell/style.hpp"
 #include "place/position.hpp"
-#include "rows/band_painter.hpp"
+#include "rows/band_kind.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -39,7 +39,7 @@ class FieldRows {
   // Fills a cleared band whose first sample begins there on the screen.
   // [samples]
   void fill(const Band& band,
-            BandKind kind,
+            BandBytes kind,
             int32_t x_q8,
             int32_t y_q8) const noexcept;
 

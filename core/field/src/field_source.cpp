@@ -11,7 +11,7 @@ namespace {
 
 static_assert(sizeof(FieldJob) <= kMostJob, "");
 
-bool open_field(FieldJob& job, const Placed& placed) noexcept {
+bool prepare_field(FieldJob& job, const Placed& placed) noexcept {
   const BandPlan& plan = job.plan;
   job.placed = placed;
   if (!job.rows.open(job.field, *job.style, placed,
@@ -20,39 +20,35 @@ bool open_field(FieldJob& job, const Placed& placed) noexcept {
     return false;
   }
   job.box = job.rows.box(placed);
-  return !is_empty(job.box);
+  return job.sink == nullptr ? !is_empty(job.box) : job.clip();
 }
 
-bool open_glyph(GlyphJob& base,
-                const GlyphRef& ref,
-                const Placed& placed) noexcept {
+bool prepare_glyph(GlyphJob& base,
+                   const GlyphRef& ref,
+                   const Placed& placed) noexcept {
   auto& job = static_cast<FieldJob&>(base);
   return read_field(*static_cast<const Font*>(ref.from), ref.glyph,
                     job.field) == Status::ok &&
-         open_field(job, placed);
+         prepare_field(job, placed);
 }
 
-bool open_single(GlyphJob& base,
-                 const GlyphRef& ref,
-                 const Placed& placed) noexcept {
+bool prepare_single(GlyphJob& base,
+                    const GlyphRef& ref,
+                    const Placed& placed) noexcept {
   auto& job = static_cast<FieldJob&>(base);
   job.field = *static_cast<const GlyphField*>(ref.from);
-  return open_field(job, placed);
-}
-
-bool load_nothing(GlyphJob&) noexcept {
-  return true;
+  return prepare_field(job, placed);
 }
 
 void fill_band(GlyphJob& base) noexcept {
   const auto& job = static_cast<FieldJob&>(base);
-  job.rows.fill(job.band, job.plan.painter->kind, job.band_x_q8(),
+  job.rows.fill(job.band, job.plan.band_kind->bytes, job.band_x_q8(),
                 job.band_y_q8());
 }
 
-constexpr Source kFieldSource = {open_glyph, load_nothing, fill_band,
-                                 sizeof(FieldJob), true};
-constexpr Source kSingleFieldSource = {open_single, load_nothing, fill_band,
+constexpr Source kFieldSource = {prepare_glyph, fill_band, sizeof(FieldJob),
+                                 true};
+constexpr Source kSingleFieldSource = {prepare_single, fill_band,
                                        sizeof(FieldJob), true};
 
 }  // namespace

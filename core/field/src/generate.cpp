@@ -128,19 +128,19 @@ struct Grid {
 };
 
 // A px is a u, and the box is up to 1 u wider than the ink.
-__attribute__((noinline)) bool open_outline(const Font& font,
+__attribute__((noinline)) bool find_outline(const Font& font,
                                             uint16_t glyph,
                                             OutlineGlyph& outline,
                                             Rect& box) noexcept {
   detail::InkEnds ink[2];
   bool is_mirrored;
-  if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink,
+  if (!outline.find(font, glyph, Q26_6::from_int(1024), nullptr, ink,
                     is_mirrored)) {
     return false;
   }
   BandPlan plan;
   plan.ink_margin_q8 = 128;
-  outline.place({0, 0}, plan, 0, ink, box);
+  outline.find_box({0, 0}, plan, 0, ink, box);
   return true;
 }
 
@@ -175,7 +175,7 @@ class Builder {
                                         Span<uint8_t> buffer) noexcept {
     OutlineGlyph outline;
     Rect box;
-    if (!open_outline(font, glyph, outline, box)) {
+    if (!find_outline(font, glyph, outline, box)) {
       return Status::unsupported;
     }
     if (!grid_.set(box, limits_)) {

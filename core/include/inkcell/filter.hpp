@@ -40,14 +40,14 @@ struct FilterSpec {
 };
 
 namespace detail {
-struct BandPainter;
+struct BandKind;
 
 // What a filter takes. A program links the painters of outlines of the filters
 // that it names, and none if it opens fonts of fields alone.
-extern const BandPainter kPaintPixelRamp;      // Filter::is_linear_pixel()
-extern const BandPainter kPaintDistances;      // up to half a pixel
-extern const BandPainter kPaintWideDistances;  // any filter
-extern const BandPainter kPaintAreas;          // kFilterArea
+extern const BandKind kPixelRampBand;     // Filter::is_linear_pixel()
+extern const BandKind kDistanceBand;      // up to half a pixel
+extern const BandKind kWideDistanceBand;  // any filter
+extern const BandKind kAreaBand;          // kFilterArea
 }  // namespace detail
 
 /// A filter ready for use, 268 bytes: built once, constant afterwards, shared
@@ -56,7 +56,7 @@ extern const BandPainter kPaintAreas;          // kFilterArea
 struct Filter {
   static constexpr int32_t kEntries = 256;
 
-  const detail::BandPainter* painter = nullptr;
+  const detail::BandKind* band_kind = nullptr;
   int16_t outside_q10 = 0;  // [px]
   int16_t inside_q10 = 0;   // [px]
   uint16_t scale = 0;       // entries per 1/1024 px, UQ2.14
@@ -87,13 +87,13 @@ struct Filter {
     return table[static_cast<uint8_t>((step * scale) >> 14)];
   }
 
-  /// Moves the cutoffs, and selects the painter anew. [px]
+  /// Moves the cutoffs, and selects the kind of band anew. [px]
   constexpr void set_cutoffs(int32_t outside, int32_t inside) noexcept {
     outside_q10 = static_cast<int16_t>(outside);
     inside_q10 = static_cast<int16_t>(inside);
-    painter = is_linear_pixel()                  ? &detail::kPaintPixelRamp
-              : outside >= -512 && inside <= 512 ? &detail::kPaintDistances
-                                                 : &detail::kPaintWideDistances;
+    band_kind = is_linear_pixel()                  ? &detail::kPixelRampBand
+                : outside >= -512 && inside <= 512 ? &detail::kDistanceBand
+                                                   : &detail::kWideDistanceBand;
   }
 
   /// Moves the edges of the text outwards: see with_weight().
@@ -264,7 +264,7 @@ inline constexpr Filter kFilterPaperBody =
 namespace detail {
 constexpr Filter make_area_filter() noexcept {
   Filter filter = kFilterText;
-  filter.painter = &kPaintAreas;
+  filter.band_kind = &kAreaBand;
   return filter;
 }
 }  // namespace detail

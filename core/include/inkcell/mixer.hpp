@@ -34,7 +34,7 @@ struct BandPlan;
 struct Mixer {
   /// What bands are filled with. Null: with what the style's filter takes, for
   /// GlyphBand::cover(). Else kDistances or kAreas, whatever the filter is.
-  const detail::BandPainter* painter;
+  const detail::BandKind* band_kind;
   /// Changes the plan that the style's filter asks for.
   void (*plan)(const Effect& effect,
                const Style& style,
@@ -49,17 +49,17 @@ struct Mixer {
                    bool is_field) noexcept = nullptr;
 };
 
-/// For Mixer::painter: distances, as far as the plan asks for.
-inline constexpr const detail::BandPainter* kDistances =
-    &detail::kPaintWideDistances;
+/// For Mixer::band_kind: distances, as far as the plan asks for.
+inline constexpr const detail::BandKind* kDistances =
+    &detail::kWideDistanceBand;
 /// Exact coverage, in 1 or 3 samples a pixel, for cover().
-inline constexpr const detail::BandPainter* kAreas = &detail::kPaintAreas;
+inline constexpr const detail::BandKind* kAreas = &detail::kAreaBand;
 
 /// What a mixer asks for; it finds here what the style's filter asks for, with
-/// the painter that fills the bands. A picture must not depend on how a glyph
+/// the kind of its bands. A picture must not depend on how a glyph
 /// is cut into bands, so that a mixer reads no farther than the margins.
 struct BandPlan {
-  const detail::BandPainter* painter = nullptr;
+  const detail::BandKind* band_kind = nullptr;
   /// How far from the edge distances are told apart, outside and inside: at
   /// most 4 px and a little, and one of them above 0. [px, Q8]
   int32_t outside_q8 = 0;

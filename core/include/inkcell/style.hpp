@@ -163,10 +163,10 @@ class Style {
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
-  /// What paints outlines. Null, also of a style whose bytes are all 0: nothing
+  /// What it takes of a band. Null, also if all its bytes are 0: nothing
   /// is drawn.
-  const detail::BandPainter* painter() const noexcept {
-    return filter_ == nullptr ? nullptr : filter_->painter;
+  const detail::BandKind* band_kind() const noexcept {
+    return filter_ == nullptr ? nullptr : filter_->band_kind;
   }
   constexpr bool is_upright() const noexcept { return !is_slanted_; }
 

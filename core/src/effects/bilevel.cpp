@@ -207,7 +207,7 @@ void mix_bilevel(const Effect& effect, GlyphBand& band) noexcept {
 
 }  // namespace
 
-const Mixer kBilevelMixer = {&kPaintCrossings, plan_bilevel, mix_bilevel};
+const Mixer kBilevelMixer = {&kCrossingBand, plan_bilevel, mix_bilevel};
 
 }  // namespace detail
 }  // namespace inkcell

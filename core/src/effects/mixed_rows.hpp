@@ -4,8 +4,8 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
+#include "rows/emit_band.hpp"
 #include "rows/source.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {

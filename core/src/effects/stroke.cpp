@@ -3,8 +3,8 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
+#include "rows/emit_band.hpp"
 #include "rows/source.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -1,13 +1,17 @@
 #include "outlines/outline_glyph.hpp"
 
+#include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "base/modular.hpp"
 #include "inkcell/format/rom.hpp"
+#include "outlines/record_bits.hpp"
 #include "outlines/slant.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
+
+namespace word = format::outline;
 
 constexpr int32_t kPxQ18 = 1 << 18;
 
@@ -46,6 +50,11 @@ int32_t px_before(int32_t at_q10, int32_t away_q18) noexcept {
   return (at_q10 >> 10) + (sum(away_q18, part) >> 18);
 }
 
+// The first `width` bits, 1 to 16, as two's complement.
+inline uint32_t signed_top(uint32_t window, uint32_t width) noexcept {
+  return static_cast<uint32_t>(static_cast<int32_t>(window) >> (32 - width));
+}
+
 }  // namespace
 
 bool OutlineRecord::find(const Font& font, uint16_t glyph) noexcept {
@@ -69,7 +78,7 @@ int32_t OutlineGlyph::moved(const OutlineMap::Axis& axis,
   return sum(scaled(x, axis.per_x), scaled(y, axis.per_y));
 }
 
-bool OutlineGlyph::open(const Font& font,
+bool OutlineGlyph::find(const Font& font,
                         uint16_t glyph,
                         Q26_6 size,
                         const Style* slanted,
@@ -100,11 +109,11 @@ bool OutlineGlyph::open(const Font& font,
   return true;
 }
 
-void OutlineGlyph::place(const Placed& placed,
-                         const BandPlan& plan,
-                         int32_t origin_q8,
-                         const InkEnds (&ink)[2],
-                         Rect& box) noexcept {
+void OutlineGlyph::find_box(const Placed& placed,
+                            const BandPlan& plan,
+                            int32_t origin_q8,
+                            const InkEnds (&ink)[2],
+                            Rect& box) noexcept {
   const int32_t at_q10[] = {placed.x_q10, placed.y_q10};
   const int32_t moved_q8[] = {plan.moved_x_q8, plan.moved_y_q8};
   const int32_t samples[] = {plan.columns, plan.rows};
@@ -193,6 +202,93 @@ ScreenPoint* OutlineGlyph::read(ScreenPoint* out, int32_t room) noexcept {
       reader_.set_budget(0);
     }
   }
+  return out;
+}
+
+uint32_t last_bits_from(const uint8_t* bytes,
+                        uint32_t size,
+                        uint32_t first) noexcept {
+  if (first >= size) {
+    return 0;
+  }
+  if (size >= 4) {
+    return load_big_u32(bytes + size - 4) << 8 * (first + 4 - size);
+  }
+  uint32_t window = 0;
+  for (uint32_t i = first; i != first + 4; ++i) {
+    window = window << 8 | (i < size ? bytes[i] : 0u);
+  }
+  return window;
+}
+
+ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
+                                 const OutlineMap& map,
+                                 ScreenPoint* out,
+                                 int32_t room) noexcept {
+  const uint8_t* const record = record_;
+  const uint32_t size = size_;
+  const uint32_t shift = 32u - coding.code_bits;
+  const uint8_t* const table = coding.table;
+  const OutlineMap::Axis& right = map.axes[0];
+  const OutlineMap::Axis& down = map.axes[1];
+  uint32_t bit = bit_;
+  uint32_t x = x_q18_;
+  uint32_t y = y_q18_;
+  const int32_t count = min(room, budget_);
+  budget_ -= count;
+  ScreenPoint* last = out + count;
+  while (out != last) {
+    // A contour's first point in a round of its own.
+    const bool is_start = start_.kind() == kStart;
+    ScreenPoint* const stop = is_start ? out + 1 : last;
+    do {
+      uint32_t window = bits_from(record, size, bit);
+      const uint32_t code = load_u16(table + 2 * (window >> shift));
+      const uint32_t length = code & word::kLengthMask;
+      const uint32_t kind = code >> word::kKindShift & word::kKindMask;
+      window <<= length;
+      if (__builtin_expect(kind == word::kEndOfContour, 0)) {
+        bit += length + 1;
+        *out++ = {start_.x_q8, start_.y_q8_kind | int32_t{kCorner}};
+        start_.y_q8_kind = kStart;
+        if (window >> 31 == 0) {
+          record_ = nullptr;
+          budget_ += static_cast<int32_t>(last - out);
+          last = out;
+        }
+        break;
+      }
+      const uint32_t x_bits = code >> word::kXBitsShift & word::kWidthMask;
+      const uint32_t y_bits = code >> word::kYBitsShift & word::kWidthMask;
+      const uint32_t bits = length + x_bits + y_bits;
+      bit += bits;
+      if (x_bits != 0) {
+        const uint32_t dx = signed_top(window, x_bits);
+        x += dx * static_cast<uint32_t>(right.per_x);
+        y += dx * static_cast<uint32_t>(down.per_x);
+        window <<= x_bits;
+      }
+      if (y_bits != 0) {
+        if (__builtin_expect(bits > 25, 0)) {
+          window = bits_from(record, size, bit - y_bits);
+        }
+        const uint32_t dy = signed_top(window, y_bits);
+        x += dy * static_cast<uint32_t>(right.per_y);
+        y += dy * static_cast<uint32_t>(down.per_y);
+      }
+      *out++ = ScreenPoint::at(static_cast<int32_t>(x) >> 10,
+                               static_cast<int32_t>(y) >> 10, kind);
+    } while (out != stop);
+    ScreenPoint& start = out[-1];
+    // An empty contour has none: its end is kind kStart already.
+    if (is_start && start.kind() != kStart) {
+      start_ = {start.x_q8, start.y_q8_kind & ~3};
+      start.y_q8_kind |= int32_t{kStart};
+    }
+  }
+  bit_ = bit;
+  x_q18_ = x;
+  y_q18_ = y;
   return out;
 }
 

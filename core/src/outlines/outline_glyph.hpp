@@ -1,4 +1,5 @@
-// One glyph of outlines where it stands on the screen: its box and its points.
+// One glyph of outlines where it stands on the screen: its box, and from the
+// bits of its record its points.
 #pragma once
 
 #include <stdint.h>
@@ -9,11 +10,60 @@
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "outlines/component.hpp"
-#include "outlines/outline_reader.hpp"
+#include "outlines/screen_point.hpp"
 #include "place/position.hpp"
 
 namespace inkcell {
 namespace detail {
+
+// Where grid units lead on the screen, to the right and down. Computed modulo
+// 2^32, so that pictures do not depend on strips.
+struct OutlineMap {
+  struct Axis {
+    int32_t per_x;  // by a unit to the right [px, Q18]
+    int32_t per_y;  // by a unit up
+  };
+  Axis axes[2];
+};
+
+// Reads records of simple outlines. Reads any bytes: beyond the record's end
+// there are zeros, and no more than the budget of points comes of it.
+class OutlineReader {
+ public:
+  // How many points may come, of one record or of several.
+  void set_budget(int32_t points) noexcept { budget_ = points; }
+
+  // The record's first bit, which says that it is an outline, is skipped.
+  // `pen`: where steps begin. [px, Q18]
+  void begin(const Span<const uint8_t>& record,
+             const int32_t (&pen_q18)[2]) noexcept {
+    record_ = record.data;
+    size_ = static_cast<uint32_t>(record.size);
+    bit_ = 1;
+    x_q18_ = static_cast<uint32_t>(pen_q18[0]);
+    y_q18_ = static_cast<uint32_t>(pen_q18[1]);
+    start_ = ScreenPoint::at(0, 0, kStart);
+  }
+
+  // Writes the next points, at most `room`. Returns the end of what is written.
+  ScreenPoint* read(const OutlineCoding& coding,
+                    const OutlineMap& map,
+                    ScreenPoint* out,
+                    int32_t room) noexcept;
+
+  // Whether the record has no more points, and whether no more may come.
+  bool has_ended() const noexcept { return record_ == nullptr; }
+  bool is_spent() const noexcept { return budget_ == 0; }
+
+ private:
+  const uint8_t* record_;  // null: it has no more points
+  uint32_t size_;          // [bytes]
+  uint32_t bit_;           // the next one
+  uint32_t x_q18_;         // [px, modulo 2^32]
+  uint32_t y_q18_;
+  ScreenPoint start_;  // of the contour; kind kStart: it comes yet
+  int32_t budget_;     // points that may come
+};
 
 // The ends of a glyph's ink along an axis of the screen, from the glyph's
 // origin. [px, Q18]
@@ -46,20 +96,20 @@ struct OutlineRecord {
 class __attribute__((may_alias)) OutlineGlyph {
  public:
   // Finds the glyph and its ink, to the right and down; `slanted` is null for
-  // upright glyphs. False: the font has no outline for it. Then place() finds
-  // the pixels that may show something. `origin_q8`: what lies at whole
+  // upright glyphs. False: the font has no outline for it. Then find_box()
+  // finds the pixels that may show something. `origin_q8`: what lies at whole
   // numbers, from a sample's upper left corner. [samples]
-  bool open(const Font& font,
+  bool find(const Font& font,
             uint16_t glyph,
             Q26_6 size,
             const Style* slanted,
             InkEnds (&ink)[2],
             bool& is_mirrored) noexcept;
-  void place(const Placed& placed,
-             const BandPlan& plan,
-             int32_t origin_q8,
-             const InkEnds (&ink)[2],
-             Rect& box) noexcept;
+  void find_box(const Placed& placed,
+                const BandPlan& plan,
+                int32_t origin_q8,
+                const InkEnds (&ink)[2],
+                Rect& box) noexcept;
 
   const GlyphMetrics& metrics() const noexcept { return record_.metrics; }
 

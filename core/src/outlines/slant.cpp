@@ -1,5 +1,7 @@
 #include "outlines/slant.hpp"
 
+#include "outlines/outline_glyph.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {

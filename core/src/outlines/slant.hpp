@@ -5,10 +5,11 @@
 
 #include "inkcell/geometry.hpp"
 #include "inkcell/style.hpp"
-#include "outlines/outline_reader.hpp"
 
 namespace inkcell {
 namespace detail {
+
+struct OutlineMap;
 
 // What drawing needs of a style that is not upright. Constructors of Style name
 // it, so that upright text does not link it.

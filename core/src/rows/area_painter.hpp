@@ -7,7 +7,7 @@ namespace inkcell {
 namespace detail {
 
 // Paints points into a band; pixels begin at whole numbers. Bytes are explained
-// in area_painter.cpp; a row becomes coverage by cover_areas.
+// in area_painter.cpp; a row becomes coverage by cover_areas().
 void paint_areas(const Band& band,
                  OutlineCursor& cursor,
                  const ScreenPoint* points,

@@ -7,7 +7,7 @@ namespace inkcell {
 namespace detail {
 
 // Paints points into a band; centres of pixels lie at whole numbers. Bytes are
-// explained in distance_painter.cpp; a row becomes coverage by cover_distances.
+// explained in distance_painter.cpp; a row becomes coverage by cover_linear().
 void paint_distances(const Band& band,
                      OutlineCursor& cursor,
                      const ScreenPoint* points,

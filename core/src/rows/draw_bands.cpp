@@ -3,8 +3,8 @@
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "rows/emit_band.hpp"
 #include "rows/source.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -25,7 +25,11 @@ struct GlyphCall {
   const GlyphRef& ref;
   const Style& style;
   const Placed& placed;
+  const Sink* sink;  // null: for the box
 };
+
+// The sink of a glyph that is prepared for any.
+constexpr Sink kAnySink = {{INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}};
 
 // Samples before the first pixel of a band, from a multiple of 4 on: one of
 // them at least.
@@ -51,15 +55,15 @@ bool make_plan(const Source& source,
   plan.columns = 1;
   plan.rows = 1;
   plan.sample_bytes = 1;
-  plan.painter = style.painter();
+  plan.band_kind = style.band_kind();
   const Effect* const effect = style.effect();
-  if (effect != nullptr && effect->mixer().painter != nullptr) {
-    plan.painter = effect->mixer().painter;
+  if (effect != nullptr && effect->mixer().band_kind != nullptr) {
+    plan.band_kind = effect->mixer().band_kind;
   }
-  if (plan.painter == nullptr) {
+  if (plan.band_kind == nullptr) {
     return false;
   }
-  const int32_t reach_q8 = plan.painter->reach_q8;
+  const int32_t reach_q8 = plan.band_kind->reach_q8;
   if (reach_q8 != 0) {
     plan.outside_q8 = reach_q8;
     plan.ink_margin_q8 = reach_q8 + 4;  // for roundings
@@ -76,41 +80,42 @@ bool make_plan(const Source& source,
 }
 
 // False: nothing shows.
-bool open(GlyphJob& job,
-          uint8_t* ram,
-          int32_t ram_bytes,
-          const GlyphCall& call) noexcept {
+bool prepare(GlyphJob& job,
+             uint8_t* ram,
+             int32_t ram_bytes,
+             const GlyphCall& call) noexcept {
   const Source& source = *call.ref.source;
   job.source = &source;
   job.style = &call.style;
+  job.sink = call.sink;
   job.ram = ram;
   job.ram_bytes = ram_bytes;
   return make_plan(source, call.style, job.plan) &&
-         source.open(job, call.ref, call.placed);
+         source.prepare(job, call.ref, call.placed);
 }
 
 // The same of a job at the beginning of its RAM.
-bool open_in(const Workspace& ram, const GlyphCall& call) noexcept {
+bool prepare_in(const Workspace& ram, const GlyphCall& call) noexcept {
   const int32_t job_bytes = call.ref.source->job_bytes;
-  return open(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
-              static_cast<int32_t>(ram.size) - job_bytes, call);
+  return prepare(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
+                 static_cast<int32_t>(ram.size) - job_bytes, call);
 }
 
-bool load(GlyphJob& job) noexcept {
+// How far the band's distances are good.
+void set_reach(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
   Band& band = job.band;
   band.outside_q8 = plan.outside_q8;
   band.inside_q8 = plan.inside_q8;
   band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
-  if (plan.painter->reach_q8 == 0) {
+  if (plan.band_kind->reach_q8 == 0) {
     band.fall_q14 = static_cast<int32_t>((254u << 14) /
                                          static_cast<uint32_t>(band.reach_q8));
   }
-  return job.source->load(job);
 }
 
 // Where the samples of job.pixels lie in the rows of a band.
-void lay_out_rows(GlyphJob& job) noexcept {
+void arrange_rows(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
   const int32_t column = columns_before(plan, job.pixels.x0);
   const int32_t width = width_of(plan, column, job.pixels);
@@ -118,26 +123,6 @@ void lay_out_rows(GlyphJob& job) noexcept {
   job.band.last_column = width - 1;
   // The pixel after them has room.
   job.band.stride = (width + 4) & ~3;
-}
-
-// The painted band to the sink. Not inline: painters do not need its part of
-// the stack.
-__attribute__((noinline)) void emit_band(GlyphJob& job) noexcept {
-  const Band& band = job.band;
-  const Rect& pixels = job.pixels;
-  const BandPainter& painter = *job.plan.painter;
-  const Style& style = *job.style;
-  if (const Effect* const effect = style.effect()) {
-    effect->mixer().mix(*effect, job);
-    return;
-  }
-  const Sink& sink = *job.sink;
-  if (sink.ramp != nullptr && painter.is_ramp &&
-      sink.ramp(sink.context, {pixels, band.bytes, band.stride})) {
-    return;
-  }
-  painter.cover(band, style.filter());
-  emit(sink, pixels, band.bytes + job.column, band.stride);
 }
 
 // The band of job.pixels, whose rows are laid out.
@@ -157,17 +142,12 @@ inline void draw_band(GlyphJob& job) noexcept {
   emit_band(job);
 }
 
-// Cuts the part of the box that lies in the window into bands. The job is
-// opened, and with `is_loaded` also loaded.
-void draw_opened(GlyphJob& job, const Sink& sink, bool is_loaded) noexcept {
-  const Rect all = intersect(job.box, sink.window);
-  if (is_empty(all) || (!is_loaded && !load(job))) {
-    return;
-  }
-  job.sink = &sink;
+// Draws job.pixels, cut into bands.
+void draw_prepared(GlyphJob& job) noexcept {
+  set_reach(job);
   Rect& part = job.pixels;
-  part = all;
-  lay_out_rows(job);
+  const Rect all = part;
+  arrange_rows(job);
   const BandPlan& plan = job.plan;
   const int32_t bytes = job.ram_bytes - kGuardBytes;
   const int32_t stride = job.band.stride;
@@ -192,17 +172,16 @@ void draw_opened(GlyphJob& job, const Sink& sink, bool is_loaded) noexcept {
     part.y1 = min(part.y0 + rows, all.y1);
     for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
       part.x1 = min(part.x0 + columns, all.x1);
-      lay_out_rows(job);
+      arrange_rows(job);
       draw_band(job);
     }
   }
 }
 
 __attribute__((noinline)) void draw_in(const GlyphCall& call,
-                                       const Sink& sink,
                                        const Workspace& ram) noexcept {
-  if (open_in(ram, call)) {
-    draw_opened(*reinterpret_cast<GlyphJob*>(ram.data), sink, false);
+  if (prepare_in(ram, call)) {
+    draw_prepared(*reinterpret_cast<GlyphJob*>(ram.data));
   }
 }
 
@@ -211,7 +190,7 @@ __attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
                                              const Placed& placed,
                                              const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastRam];
-  draw_in({ref, style, placed}, sink, {bytes, sizeof bytes});
+  draw_in({ref, style, placed, &sink}, {bytes, sizeof bytes});
 }
 
 __attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
@@ -219,14 +198,14 @@ __attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
                                                     const Placed& placed,
                                                     const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
-  draw_in({ref, style, placed}, sink, {bytes, sizeof bytes});
+  draw_in({ref, style, placed, &sink}, {bytes, sizeof bytes});
 }
 
 // Not inline: most glyphs do not need its part of the stack.
-__attribute__((noinline)) bool open_fitted(GlyphJob& job,
-                                           const GlyphCall& call) noexcept {
+__attribute__((noinline)) bool prepare_fitted(GlyphJob& job,
+                                              const GlyphCall& call) noexcept {
   alignas(GlyphJob) uint8_t maps[kMaps];
-  return open(job, maps, sizeof maps, call);
+  return prepare(job, maps, sizeof maps, call);
 }
 
 // The part of a workspace that begins where pointers may lie; none if that is
@@ -257,7 +236,7 @@ void draw_bands(const GlyphRef& ref,
                 const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
   if (ram.size != 0) {
-    draw_in({ref, style, placed}, sink, ram);
+    draw_in({ref, style, placed, &sink}, ram);
   } else if (style.is_fitted()) {
     draw_fitted_on_stack(ref, style, placed, sink);
   } else {
@@ -270,9 +249,9 @@ Rect band_box(const GlyphRef& ref,
               const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
-  const GlyphCall call = {ref, style, placed};
-  const bool shows =
-      style.is_fitted() ? open_fitted(job, call) : open(job, nullptr, 0, call);
+  const GlyphCall call = {ref, style, placed, nullptr};
+  const bool shows = style.is_fitted() ? prepare_fitted(job, call)
+                                       : prepare(job, nullptr, 0, call);
   return shows ? job.box : Rect{};
 }
 
@@ -299,8 +278,8 @@ Status PreparedGlyph::make(const Font& font,
   Placed placed;
   auto* const job = reinterpret_cast<GlyphJob*>(ram.data);
   if (placed.set(origin) &&
-      open_in(ram, {{font.source(), &font, glyph}, style, placed}) &&
-      load(*job)) {
+      prepare_in(ram,
+                 {{font.source(), &font, glyph}, style, placed, &kAnySink})) {
     made.job_ = job;
   }
   out = made;
@@ -312,8 +291,13 @@ Rect PreparedGlyph::box() const noexcept {
 }
 
 void PreparedGlyph::draw(const Sink& sink) const noexcept {
-  if (job_ != nullptr) {
-    detail::draw_opened(*static_cast<detail::GlyphJob*>(job_), sink, true);
+  if (job_ == nullptr) {
+    return;
+  }
+  auto& job = *static_cast<detail::GlyphJob*>(job_);
+  job.sink = &sink;
+  if (job.clip()) {
+    detail::draw_prepared(job);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "inkcell/mixer.hpp"
 
 #include "rows/draw_bands.hpp"
-#include "sink/emit.hpp"
+#include "rows/emit_band.hpp"
 
 namespace inkcell {
 namespace {
@@ -44,7 +44,7 @@ DistanceRow GlyphBand::distances(int32_t y) const noexcept {
 
 void GlyphBand::cover() const noexcept {
   const GlyphJob& job = job_of(*this);
-  job.plan.painter->cover(job.band, job.style->filter());
+  job.plan.band_kind->cover(job.band, job.style->filter());
 }
 
 void GlyphBand::repaint(int32_t right_q8, int32_t down_q8) noexcept {

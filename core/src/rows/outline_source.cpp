@@ -21,31 +21,6 @@ static_assert(sizeof(OutlineJob) <= kMostJob);
 static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);
 static_assert(sizeof(GlyphWarp) % sizeof(uint32_t) == 0, "aligned");
 
-bool open_outline(GlyphJob& base,
-                  const GlyphRef& ref,
-                  const Placed& given) noexcept {
-  auto& job = static_cast<OutlineJob&>(base);
-  const Font& font = *static_cast<const Font*>(ref.from);
-  const Style& style = *job.style;
-  OutlineGlyph& outline = job.outline;
-  InkEnds ink[2];
-  if (!outline.open(font, ref.glyph, style.size(),
-                    style.is_upright() ? nullptr : &style, ink,
-                    job.band.is_mirrored)) {
-    return false;
-  }
-  job.warp = nullptr;
-  Placed placed = given;
-  if (style.is_fitted() &&
-      !style.outline_fitter().fit(job, ref.glyph, placed, ink)) {
-    return false;
-  }
-  const BandPlan& plan = job.plan;
-  outline.place(placed, plan, plan.painter->kind == BandKind::area ? 0 : 128,
-                ink, job.box);
-  return true;
-}
-
 // Not inline: most bands have all points, and fewer registers then.
 __attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
                                                    int32_t room) noexcept {
@@ -56,8 +31,8 @@ __attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
   return end;
 }
 
-bool load_points(GlyphJob& base) noexcept {
-  auto& job = static_cast<OutlineJob&>(base);
+// False: there are none.
+bool load_points(OutlineJob& job) noexcept {
   uint8_t* begin = job.ram;
   if (job.warp != nullptr) {
     begin += sizeof(GlyphWarp);
@@ -81,10 +56,36 @@ bool load_points(GlyphJob& base) noexcept {
   return has_any;
 }
 
+bool prepare_outline(GlyphJob& base,
+                     const GlyphRef& ref,
+                     const Placed& given) noexcept {
+  auto& job = static_cast<OutlineJob&>(base);
+  const Font& font = *static_cast<const Font*>(ref.from);
+  const Style& style = *job.style;
+  OutlineGlyph& outline = job.outline;
+  InkEnds ink[2];
+  if (!outline.find(font, ref.glyph, style.size(),
+                    style.is_upright() ? nullptr : &style, ink,
+                    job.band.is_mirrored)) {
+    return false;
+  }
+  job.warp = nullptr;
+  Placed placed = given;
+  if (style.is_fitted() &&
+      !style.outline_fitter().fit(job, ref.glyph, placed, ink)) {
+    return false;
+  }
+  const BandPlan& plan = job.plan;
+  outline.find_box(placed, plan,
+                   plan.band_kind->bytes == BandBytes::area ? 0 : 128, ink,
+                   job.box);
+  return job.sink == nullptr || (job.clip() && load_points(job));
+}
+
 // All points, or portions of those for which there is no room.
 void fill_band(GlyphJob& base) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
-  const auto paint = job.plan.painter->paint;
+  const auto paint = job.plan.band_kind->paint;
   job.cursor.begin();
   const auto* end = reinterpret_cast<const ScreenPoint*>(job.ram);
   if (job.has_all) {
@@ -99,12 +100,12 @@ void fill_band(GlyphJob& base) noexcept {
   } while (!job.outline.is_done());
 }
 
-constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
+constexpr Source kOutlineSource = {prepare_outline, fill_band,
                                    sizeof(OutlineJob), false};
 
 }  // namespace
 
-// Names the objects of all painters, for band_painter.cpp. Nobody reads it, so
+// Names the objects of all painters, for band_kind.cpp. Nobody reads it, so
 // that the linker drops it.
 extern PaintPoints* const kOutlinePainters[];
 PaintPoints* const kOutlinePainters[] = {paint_areas, paint_crossings,

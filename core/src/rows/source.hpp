@@ -10,7 +10,7 @@
 #include "inkcell/style.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
-#include "rows/band_painter.hpp"
+#include "rows/band_kind.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -30,10 +30,10 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
   const Source* source;
   const Style* style;
   BandPlan plan;
-  Rect box;  // the pixels that may show something: set by Source::open()
+  Rect box;  // the pixels that may show something: set by Source::prepare()
 
-  // RAM behind the job. Source::load() takes its part from the beginning; the
-  // rest is for bands.
+  // RAM behind the job. Source::prepare() takes its part from the beginning;
+  // the rest is for bands.
   uint8_t* ram;
   int32_t ram_bytes;
 
@@ -44,27 +44,32 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
   uint8_t row;
   Band band;
   Rect pixels;
-  const Sink* sink;
+  const Sink* sink;  // null: only the box is asked for
+
+  // Sets `pixels` to those of the box in the sink's window. False: none are.
+  bool clip() noexcept {
+    pixels = intersect(box, sink->window);
+    return !is_empty(pixels);
+  }
 };
 
 // Draws the glyphs of one coding of fonts (Coding::source). draw_bands.cpp
 // calls, with a plan in place:
-//   open   finds the box, and sets band.is_mirrored. False: nothing shows. If
-//          the style is fitted it takes the maps from `ram`.
-//   load   comes once, if the box meets the window: takes what it keeps from
-//          `ram` (multiples of 4 bytes; kLeastBand must be left). False:
-//          nothing shows.
-//   fill   paints job.band, whose bytes are all 0, as plan.painter->kind says.
-//          Once or several times for each band, which a mixer may have moved by
-//          parts of a pixel, in any order.
+//   prepare  finds the box, and sets band.is_mirrored. If the style is fitted
+//   it
+//            takes the maps from `ram`. If there is a sink, it clips the box,
+//            and takes what it keeps for fill() from `ram` (multiples of 4
+//            bytes; kLeastBand must be left). False: nothing shows.
+//   fill     paints job.band, whose bytes are all 0, as plan.band_kind says.
+//            Once or several times for each band, which a mixer may have moved
+//            by parts of a pixel, in any order.
 // A band's bytes must not depend on how a glyph is cut into bands. Members of a
 // source's own lie in a struct that derives from GlyphJob; it has no
-// constructor, and nobody sets it before open().
+// constructor, and nobody sets it before prepare().
 struct Source {
-  bool (*open)(GlyphJob& job,
-               const GlyphRef& ref,
-               const Placed& placed) noexcept;
-  bool (*load)(GlyphJob& job) noexcept;
+  bool (*prepare)(GlyphJob& job,
+                  const GlyphRef& ref,
+                  const Placed& placed) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
   uint16_t job_bytes;  // size of the struct, kMostJob at most
   bool is_field;       // jobs are FieldJobs (field_source.hpp)
@@ -74,8 +79,8 @@ struct Source {
 // margin 4 + 6 rows of 16 columns. [bytes]
 inline constexpr int32_t kLeastBand = 4 + 10 * 16;
 
-// The largest job of a source, what load() takes at most where there is little
-// RAM, and the maps. [bytes]
+// The largest job of a source, what prepare() takes at most where there is
+// little RAM, and the maps. [bytes]
 inline constexpr int32_t kMostJob =
     256 + 19 * static_cast<int32_t>(sizeof(void*));
 inline constexpr int32_t kMostLoaded = 96;

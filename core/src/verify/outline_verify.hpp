@@ -2,7 +2,6 @@
 #pragma once
 
 #include "inkcell/font.hpp"
-#include "outlines/outline_reader.hpp"
 
 namespace inkcell {
 namespace detail {

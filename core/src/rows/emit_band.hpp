@@ -1,12 +1,29 @@
-// Blocks and rows of coverage, to a sink.
+// Painted rows to coverage, in place, and coverage to a sink.
 #pragma once
 
 #include <stdint.h>
 
+#include "inkcell/filter.hpp"
 #include "inkcell/strip.hpp"
+#include "rows/band.hpp"
 
 namespace inkcell {
 namespace detail {
+
+struct GlyphJob;
+
+// The painted band to the sink.
+void emit_band(GlyphJob& job) noexcept;
+
+// What paint_areas left. The filter is not looked at.
+void cover_areas(const Band& band, const Filter& filter) noexcept;
+
+// What paint_distances left; coverage of Filter::is_linear_pixel().
+void cover_linear(const Band& band, const Filter& filter) noexcept;
+
+// What paint_distances or paint_wide_distances left; coverage of `filter`,
+// whose ramp lies within the band's reach.
+void cover_filtered(const Band& band, const Filter& filter) noexcept;
 
 // Draws a block of coverage whose rows are `stride` bytes apart, and a row of
 // one.

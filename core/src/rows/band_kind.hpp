@@ -11,7 +11,7 @@ namespace inkcell {
 namespace detail {
 
 // What the bytes of a painted band are.
-enum class BandKind : uint8_t {
+enum class BandBytes : uint8_t {
   // Bits 1 to 7: nearness to the edge, 254 on the edge and 0 from the band's
   // reach on. Bit 0: the edge passes between this sample and the one to the
   // left. Samples lie at centres of pixels.
@@ -30,20 +30,20 @@ using PaintPoints = void(const Band& band,
                          const ScreenPoint* end) noexcept;
 
 // A filter names one, and so does a mixer. Sources other than outlines look at
-// `kind` and `reach_q8` only.
-struct BandPainter {
+// `bytes` and `reach_q8` only.
+struct BandKind {
   // Null in a program that opens no font of outlines.
   PaintPoints* paint;
   // Painted rows to coverage, in place. Null: only a mixer can.
   void (*cover)(const Band& band, const Filter& filter) noexcept;
-  BandKind kind;
+  BandBytes bytes;
   bool is_ramp;  // cover() is what Sink::ramp does
   // How far from the edge bytes differ from 0; 0: as far as the ramp of the
   // filter, see BandPlan. [px, Q8]
   uint8_t reach_q8;
 };
 
-extern const BandPainter kPaintCrossings;  // only a mixer can name it
+extern const BandKind kCrossingBand;  // only a mixer can name it
 
 }  // namespace detail
 }  // namespace inkcell
