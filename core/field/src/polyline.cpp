@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "base/root.hpp"
+#include "rows/contours.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -67,6 +68,7 @@ void set_direction(Vertex& vertex, Offset v) noexcept {
 
 // Writes vertices. Positions are those of points: px of 1 u, y down.
 struct Polyline::Pen {
+  static constexpr bool kNearRows = false;
   const Frame& frame;
   int32_t left_q8;    // of the grid
   int32_t bottom_q8;  // likewise
@@ -74,7 +76,6 @@ struct Polyline::Pen {
   uint32_t room;       // vertices that fit
   uint32_t count = 0;  // those that are written
   uint32_t first = 0;  // the contour's
-  Offset at = {};
   bool is_full = false;
 
   Vertex& vertex(uint32_t number) const noexcept {
@@ -85,7 +86,7 @@ struct Polyline::Pen {
     const int32_t step = (from_q8 + (1 << down >> 1)) >> down;
     return static_cast<uint16_t>(min(max(step, 0), UINT16_MAX));
   }
-  void add_point(const Offset& to) noexcept {
+  void add_point(const PixelPoint& to) noexcept {
     if (count == room) {
       is_full = true;
       return;
@@ -105,9 +106,10 @@ struct Polyline::Pen {
   }
 
   // A parabola is farther from n chords than bend / (4 n^2) nowhere.
-  void add_curve(const Offset& control, const Offset& to) noexcept {
-    const Offset side = {2 * (control.x - at.x), 2 * (control.y - at.y)};
-    const Offset bend = {to.x - at.x - side.x, to.y - at.y - side.y};
+  void add_curve(const PixelPoint* edge) noexcept {
+    const PixelPoint& at = edge[0];
+    const Offset side = {2 * (edge[1].x - at.x), 2 * (edge[1].y - at.y)};
+    const Offset bend = {edge[2].x - at.x - side.x, edge[2].y - at.y - side.y};
     const int32_t x = abs(bend.x);
     const int32_t y = abs(bend.y);
     const int32_t most = max(x, y) + min(x, y) / 2;
@@ -119,16 +121,18 @@ struct Polyline::Pen {
       add_point({at.x + i * (side.x + i * bend.x / chords) / chords,
                  at.y + i * (side.y + i * bend.y / chords) / chords});
     }
-    line_to(to);
   }
 
-  void line_to(const Offset& to) noexcept {
-    add_point(to);
-    at = to;
+  void take(const PixelPoint* edge, bool is_bent, uint32_t) noexcept {
+    if (is_bent) {
+      add_curve(edge);
+    }
+    add_point(edge[2]);
   }
-  void begin_contour(const Offset& start) noexcept {
+  void start(const PixelPoint& at) noexcept {
+    end_contour();
     first = count;
-    line_to(start);
+    add_point(at);
   }
   void end_contour() noexcept {
     if (count - first < 3) {
@@ -150,30 +154,13 @@ bool Polyline::read(OutlineGlyph& glyph,
   Pen pen = {frame, (frame.x0_u - first_column(box)) * 256,
              -(frame.y0_u + box.y0) * 256, top_,
              static_cast<uint32_t>(room < kMaxVertices ? room : kMaxVertices)};
-  Offset control = {};
+  const Band whole = {};
+  PixelPoint edge[3] = {};
   bool is_bent = false;
   glyph.rewind();
   while (!glyph.is_done() && !pen.is_full) {
     ScreenPoint points[8];
-    const ScreenPoint* const end = glyph.read(points, 8);
-    for (const ScreenPoint* point = points; point != end; ++point) {
-      const Offset to = {point->x_q8, point->y_q8()};
-      if (point->kind() == kStart) {
-        pen.end_contour();
-        pen.begin_contour(to);
-      } else if (point->kind() == kOffCurve) {
-        if (is_bent) {
-          pen.add_curve(control,
-                        {(control.x + to.x) >> 1, (control.y + to.y) >> 1});
-        }
-        control = to;
-      } else if (is_bent) {
-        pen.add_curve(control, to);
-      } else {
-        pen.line_to(to);
-      }
-      is_bent = point->kind() == kOffCurve;
-    }
+    walk_contours(whole, edge, is_bent, points, glyph.read(points, 8), pen);
   }
   pen.end_contour();
   edges_ = reinterpret_cast<EdgeNumber*>(top_ - pen.count) - pen.count;

@@ -21,6 +21,7 @@
 
 #include "base/math.hpp"
 #include "base/small.hpp"
+#include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell {
@@ -313,17 +314,17 @@ inline uint32_t magnitudes(int32_t a,
 }
 
 // 2^n chords. Their joints lie outside of the curve by two thirds of how far
-// chords would stray: then they hold as much area as the curve. Moves `at` to
-// the curve's end, which of a smooth one lies outside, too.
+// chords would stray: then they hold as much area as the curve. So does the end
+// of a smooth one, which is moved.
 __attribute__((noinline)) void paint_curve(const Band& band,
-                                           PixelPoint& at,
-                                           const PixelPoint& control,
-                                           const PixelPoint& to,
+                                           PixelPoint* edge,
                                            bool is_smooth) noexcept {
+  const PixelPoint at = edge[0];
+  const PixelPoint control = edge[1];
+  const PixelPoint to = edge[2];
   const bool is_seen =
       band.is_whole || !is_outside(band, at.y, control.y, to.y);
   if (!is_seen && !is_smooth) {
-    at = to;
     return;
   }
   const int32_t ax = control.x - at.x;
@@ -333,7 +334,6 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const uint32_t legs = magnitudes(ax, ay, bx, by);
   if (legs >= kLegLimit || magnitudes(at.x, at.y, to.x, to.y) >= kFarLimit) {
     paint_line(band, at, to);
-    at = to;
     return;
   }
   const int32_t ddx = bx - ax;
@@ -350,10 +350,9 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const int32_t d2x = ddx * 512 >> 2 * halvings;
   const int32_t d2y = ddy * 512 >> 2 * halvings;
   const PixelPoint out = {-(d2x * 11 >> 15), -(d2y * 11 >> 15)};
-  PixelPoint end = to;
   if (is_smooth) {
-    end.x += out.x;
-    end.y += out.y;
+    edge[2].x += out.x;
+    edge[2].y += out.y;
   }
   if (is_seen) {
     // Chords are at most twice as long as legs.
@@ -368,7 +367,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
       y += dy;
       dx += 2 * d2x;
       dy += 2 * d2y;
-      const PixelPoint next = left == 1 ? end : PixelPoint{x >> 9, y >> 9};
+      const PixelPoint next = left == 1 ? edge[2] : PixelPoint{x >> 9, y >> 9};
       if (are_short) {
         paint_short_line(band, joint.x, joint.y, next.x, next.y);
       } else {
@@ -377,8 +376,23 @@ __attribute__((noinline)) void paint_curve(const Band& band,
       joint = next;
     }
   }
-  at = end;
 }
+
+struct AreaPainter {
+  static constexpr bool kNearRows = true;
+  const Band& band;
+
+  void start(const PixelPoint&) const noexcept {}
+  void take(PixelPoint* edge, bool is_bent, uint32_t kind) const noexcept {
+    if (is_bent) {
+      paint_curve(band, edge, kind == kOffCurve);
+    } else if (edge[0].x == edge[2].x) {
+      paint_vertical(band, edge[2].x, edge[0].y, edge[2].y);
+    } else if (edge[0].y != edge[2].y) {
+      paint_line(band, edge[0], edge[2]);
+    }
+  }
+};
 
 }  // namespace
 
@@ -386,45 +400,8 @@ void paint_areas(const Band& band,
                  OutlineCursor& cursor,
                  const ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
-  PixelPoint at = cursor.edge()[0];
-  PixelPoint control = cursor.edge()[1];
-  bool is_bent = cursor.is_bent;
-  const bool is_whole = band.is_whole;
-  for (; points != end; ++points) {
-    const PixelPoint next = {points->x_q8 - band.x_q8,
-                             points->y_q8() - band.y_q8};
-    const uint32_t kind = points->kind();
-    if (kind == kOffCurve) {
-      if (is_bent) {
-        const PixelPoint middle = {(control.x + next.x) >> 1,
-                                   (control.y + next.y) >> 1};
-        paint_curve(band, at, control, middle, true);
-      }
-      control = next;
-      is_bent = true;
-      continue;
-    }
-    if (kind == kStart) {
-      at = next;
-    } else if (is_bent) {
-      paint_curve(band, at, control, next, false);
-    } else {
-      if (at.x == next.x) {
-        paint_vertical(band, next.x, at.y, next.y);
-      } else if (at.y != next.y) {
-        paint_line(band, at, next);
-      }
-      at = next;
-    }
-    is_bent = false;
-    if (!is_whole && is_outside(band, at.y)) {
-      points = skip_outside(band, points, end);
-      at = {points->x_q8 - band.x_q8, points->y_q8() - band.y_q8};
-    }
-  }
-  cursor.edge()[0] = at;
-  cursor.edge()[1] = control;
-  cursor.is_bent = is_bent;
+  AreaPainter painter = {band};
+  walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
 }
 
 }  // namespace detail

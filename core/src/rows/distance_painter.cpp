@@ -14,6 +14,7 @@
 #include "rows/distance_painter.hpp"
 
 #include "base/math.hpp"
+#include "rows/contours.hpp"
 #include "rows/edge_rows.hpp"
 #include "rows/reciprocal.hpp"
 
@@ -181,11 +182,29 @@ __attribute__((noinline)) void paint_halves(const Band& band,
   }
 }
 
-inline void paint_curve(const Band& band, OutlineCursor& cursor) noexcept {
-  if (!paint_edge(band, cursor.edge(), true)) {
-    paint_halves(band, cursor);
+struct DistancePainter {
+  static constexpr bool kNearRows = true;
+  const Band& band;
+  OutlineCursor& cursor;
+
+  void start(const PixelPoint&) const noexcept {}
+  void take(PixelPoint* edge, bool is_bent, uint32_t) const noexcept {
+    const int32_t x = edge[2].x;
+    const int32_t y = edge[2].y;
+    if (is_bent) {
+      if (!paint_edge(band, edge, true)) {
+        paint_halves(band, cursor);
+      }
+    } else if (edge[0].x == x) {
+      paint_vertical(band, x, edge[0].y, y);
+    } else if (edge[0].y == y) {
+      paint_horizontal(band, y, edge[0].x, x);
+    } else if (!paint_edge(band, edge, false)) {
+      paint_long_line(band, edge[0], edge[2]);
+    }
+    paint_vertex(band, x, y);
   }
-}
+};
 
 }  // namespace
 
@@ -193,52 +212,8 @@ void paint_distances(const Band& band,
                      OutlineCursor& cursor,
                      const ScreenPoint* points,
                      const ScreenPoint* end) noexcept {
-  PixelPoint* const edge = cursor.edge();
-  bool is_bent = cursor.is_bent;
-  const bool is_whole = band.is_whole;
-  for (; points != end; ++points) {
-    const int32_t x = points->x_q8 - band.x_q8;
-    const int32_t y = points->y_q8() - band.y_q8;
-    const uint32_t kind = points->kind();
-    if (kind == kOffCurve) {
-      if (is_bent) {
-        const int32_t middle_x = (edge[1].x + x) >> 1;
-        const int32_t middle_y = (edge[1].y + y) >> 1;
-        edge[2].x = middle_x;
-        edge[2].y = middle_y;
-        paint_curve(band, cursor);
-        edge[0].x = middle_x;
-        edge[0].y = middle_y;
-        paint_vertex(band, middle_x, middle_y);
-      }
-      edge[1].x = x;
-      edge[1].y = y;
-      is_bent = true;
-      continue;
-    }
-    if (kind != kStart) {
-      edge[2].x = x;
-      edge[2].y = y;
-      if (is_bent) {
-        paint_curve(band, cursor);
-      } else if (edge[0].x == x) {
-        paint_vertical(band, x, edge[0].y, y);
-      } else if (edge[0].y == y) {
-        paint_horizontal(band, y, edge[0].x, x);
-      } else if (!paint_edge(band, edge, false)) {
-        paint_long_line(band, edge[0], edge[2]);
-      }
-      paint_vertex(band, x, y);
-    }
-    edge[0].x = x;
-    edge[0].y = y;
-    is_bent = false;
-    if (!is_whole && is_outside(band, y)) {
-      points = skip_outside(band, points, end);
-      edge[0] = {points->x_q8 - band.x_q8, points->y_q8() - band.y_q8};
-    }
-  }
-  cursor.is_bent = is_bent;
+  DistancePainter painter = {band, cursor};
+  walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
 }
 
 }  // namespace detail

@@ -3,6 +3,7 @@
 
 #include "base/math.hpp"
 #include "rows/band.hpp"
+#include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 #include "rows/wide_chord.hpp"
 
@@ -122,79 +123,52 @@ inline bool is_zero(const PixelPoint& a) noexcept {
   return (a.x | a.y) == 0;
 }
 
-// Follows a glyph's points.
 template <typename Marks>
-class Contours {
- public:
-  Contours(const Band& band, OutlineCursor& cursor) noexcept
-      : band_(band), cursor_(cursor) {}
+struct WidePainter {
+  static constexpr bool kNearRows = false;
+  const Band& band;
+  OutlineCursor& at;
 
-  void take(const PixelPoint& next, uint32_t kind) noexcept {
-    OutlineCursor& at = cursor_;
-    if (kind == kOffCurve) {
-      if (at.is_bent) {
-        take_piece(
-            {(at.edge()[1].x + next.x) >> 1, (at.edge()[1].y + next.y) >> 1},
-            0);
-      }
-      at.edge()[1] = next;
-      at.is_bent = true;
-      return;
-    }
-    if (kind == kStart) {
-      at.start() = next;
-      at.before() = {0, 0};
-      at.edge()[0] = next;
-      at.corner_at = 1;
-      at.is_bent = false;
-      return;
-    }
-    take_piece(next, kind >> 1);
-    at.is_bent = false;
-    if (kind == kCorner && is_zero(difference(next, at.start()))) {
-      paint_corner<Marks>(band_, next, at.before(), at.first());
-    }
+  void start(const PixelPoint& point) const noexcept {
+    at.start() = point;
+    at.before() = {0, 0};
+    at.corner_at = 1;
   }
 
- private:
-  // A line or curve to `next`; `corner`: 1 if that is one.
-  void take_piece(const PixelPoint& next, uint32_t corner) noexcept {
-    OutlineCursor& at = cursor_;
-    PixelPoint after =
-        difference(at.is_bent ? at.edge()[1] : next, at.edge()[0]);
+  void take(PixelPoint* edge, bool is_bent, uint32_t kind) const noexcept {
+    const uint32_t corner = kind >> 1;  // 1 if it ends at one
+    const PixelPoint next = edge[2];
+    PixelPoint after = difference(is_bent ? edge[1] : next, edge[0]);
     if (is_zero(after)) {
-      after = difference(next, at.edge()[0]);
+      after = difference(next, edge[0]);
     }
     if (at.corner_at != 0) {
       if (is_zero(at.before())) {
         at.first() = after;
       } else {
-        paint_corner<Marks>(band_, at.edge()[0], at.before(), after);
+        paint_corner<Marks>(band, edge[0], at.before(), after);
       }
     }
     const uint32_t corners = at.corner_at | corner << 1;
-    if (!at.is_bent) {
-      if (!is_out_of_reach(band_, at.edge()[0].y, next.y, next.y)) {
-        paint_line<Marks>(band_, at.edge()[0], next, corners);
+    if (!is_bent) {
+      if (!is_out_of_reach(band, edge[0].y, next.y, next.y)) {
+        paint_line<Marks>(band, edge[0], next, corners);
       }
-    } else if (!is_out_of_reach(band_, at.edge()[0].y, at.edge()[1].y,
-                                next.y)) {
-      paint_curve<Marks>(band_, at.edge()[0], at.edge()[1], next, corners);
+    } else if (!is_out_of_reach(band, edge[0].y, edge[1].y, next.y)) {
+      paint_curve<Marks>(band, edge[0], edge[1], next, corners);
     }
-    PixelPoint before =
-        difference(next, at.is_bent ? at.edge()[1] : at.edge()[0]);
+    PixelPoint before = difference(next, is_bent ? edge[1] : edge[0]);
     if (is_zero(before)) {
-      before = difference(next, at.edge()[0]);
+      before = difference(next, edge[0]);
     }
     if (!is_zero(before)) {
       at.before() = before;
     }
-    at.edge()[0] = next;
     at.corner_at = static_cast<uint8_t>(corner);
+    if (kind == kCorner && is_zero(difference(next, at.start()))) {
+      paint_corner<Marks>(band, next, at.before(), at.first());
+    }
   }
-
-  const Band& band_;
-  OutlineCursor& cursor_;
 };
 
 template <typename Marks>
@@ -202,11 +176,8 @@ void paint_points(const Band& band,
                   OutlineCursor& cursor,
                   const ScreenPoint* points,
                   const ScreenPoint* end) noexcept {
-  Contours<Marks> contours(band, cursor);
-  for (; points != end; ++points) {
-    contours.take({points->x_q8 - band.x_q8, points->y_q8() - band.y_q8},
-                  points->kind());
-  }
+  WidePainter<Marks> painter = {band, cursor};
+  walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
 }
 
 }  // namespace wide
