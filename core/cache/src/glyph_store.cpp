@@ -50,11 +50,6 @@ CachedGlyph& GlyphStore::entry(uint32_t index) const noexcept {
       ram_end_)[-1 - static_cast<int32_t>(index)];
 }
 
-const uint8_t* GlyphStore::end_of(const CachedGlyph& glyph) const noexcept {
-  // The next entry lies before it.
-  return &glyph == &last() ? data_end() : data_ + (&glyph)[-1].begin;
-}
-
 int32_t GlyphStore::capacity() const noexcept {
   return static_cast<int32_t>(ram_end_ - data_);
 }
@@ -71,18 +66,17 @@ GlyphCacheStats GlyphStore::stats() const noexcept {
   return stats;
 }
 
-const CachedGlyph& GlyphStore::add(const CachedGlyph& glyph) noexcept {
+void GlyphStore::add(const CachedGlyph& glyph) noexcept {
   ++count_;
   CachedGlyph& added = entry(count_ - 1);
   added = glyph;
   added.used = clock_;
   added.begin = static_cast<uint16_t>(data_size_);
-  return added;
 }
 
 void GlyphStore::remove(uint32_t index) noexcept {
   const size_t begin = entry(index).begin;
-  const auto end = static_cast<size_t>(end_of(entry(index)) - data_);
+  const size_t end = index + 1 == count_ ? data_size_ : entry(index + 1).begin;
   const size_t size = end - begin;
   __builtin_memmove(data_ + begin, data_ + end, data_size_ - end);
   data_size_ -= size;

@@ -53,7 +53,7 @@ class __attribute__((may_alias)) GlyphStore {
   const CachedGlyph* find(uint32_t key) noexcept;
 
   // Adds an entry without data. There must be room for it.
-  const CachedGlyph& add(const CachedGlyph& glyph) noexcept;
+  void add(const CachedGlyph& glyph) noexcept;
   // The last entry, and bytes behind its data.
   const CachedGlyph& last() const noexcept { return entry(count_ - 1); }
   void add_bytes(size_t count) noexcept { data_size_ += count; }
@@ -61,14 +61,12 @@ class __attribute__((may_alias)) GlyphStore {
   // `kept`. False: there is no other.
   bool evict(uint32_t kept) noexcept;
 
-  // Where all data begins and ends.
-  uint8_t* data() const noexcept { return data_; }
+  // Where all data ends.
   uint8_t* data_end() const noexcept { return data_ + data_size_; }
   // Where the data of an entry begins.
   const uint8_t* begin_of(const CachedGlyph& glyph) const noexcept {
     return data_ + glyph.begin;
   }
-  const uint8_t* end_of(const CachedGlyph& glyph) const noexcept;
 
   // Between data and entries, and that of an empty store. [bytes]
   int32_t room() const noexcept;

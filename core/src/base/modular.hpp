@@ -20,11 +20,5 @@ inline int32_t sum(int32_t a, int32_t b) noexcept {
   return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
 }
 
-// -value if `sign` is -1, value if it is 0; may wrap.
-inline int32_t with_sign(int32_t value, int32_t sign) noexcept {
-  return wrapped(static_cast<uint32_t>(value ^ sign) -
-                 static_cast<uint32_t>(sign));
-}
-
 }  // namespace detail
 }  // namespace inkcell

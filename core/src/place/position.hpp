@@ -16,10 +16,6 @@ inline int64_t clamp(int64_t value, int64_t low, int64_t high) noexcept {
   return value > high ? high : value;
 }
 
-inline int32_t clamp_i32(int64_t value) noexcept {
-  return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
-}
-
 // Where a glyph stands: an origin that is near enough to show something.
 // Windows lie within 2^15 px, and no glyph reaches farther than 2^16 px. [Q10]
 struct Placed {
@@ -37,13 +33,6 @@ struct Placed {
     constexpr uint64_t kAll = uint64_t{2} * kLimit;
     return static_cast<uint64_t>(at.x_q10) + kLimit < kAll &&
            static_cast<uint64_t>(at.y_q10) + kLimit < kAll;
-  }
-  // The same of an origin near which anything may show.
-  bool set_near(const FinePoint& at) noexcept {
-    constexpr int32_t kNear = 1 << 28;
-    constexpr uint64_t kAll = uint64_t{2} * kNear;
-    return set(at) && static_cast<uint64_t>(at.x_q10) + kNear < kAll &&
-           static_cast<uint64_t>(at.y_q10) + kNear < kAll;
   }
   // The same without 64 bits.
   bool set(Point at) noexcept {

@@ -237,7 +237,7 @@ inline constexpr uint32_t kTypeBytes = 1;
 
 // A glyph record of cells of nine samples.
 namespace glyph {
-inline constexpr uint32_t kType = 0;        // u8, kTypeSamples or kTypeEdges
+inline constexpr uint32_t kType = 0;        // u8, kTypeSamples
 inline constexpr uint32_t kTileLog2 = 1;    // u8, 0..11: tiles of 1..2048 u
 inline constexpr uint32_t kX0 = 2;          // i16 [u], left edge of the grid
 inline constexpr uint32_t kY0 = 4;          // i16 [u], lower edge, y up
@@ -250,7 +250,6 @@ inline constexpr uint32_t kBytes = 12;
 // (child 2 * upper + right); then the cells.
 
 inline constexpr uint8_t kTypeSamples = 1;
-inline constexpr uint8_t kTypeEdges = 2;
 inline constexpr uint32_t kMaxTileLog2 = 11;
 
 /// Grids lie within this of the origin in both directions. [u] Twice as much,
@@ -278,68 +277,6 @@ inline constexpr uint32_t kBytes = 10;
 inline constexpr int kCentreFraction = 6;
 inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 }  // namespace samples
-
-// A glyph record of fields in the narrow form begins like one of samples, but
-// for the counts. Then arcs, lines, and units of one byte: triples, pairs, and
-// references, one a tile and four a node.
-namespace edges {
-inline constexpr uint32_t kArcCount = 10;     // u16
-inline constexpr uint32_t kLineCount = 12;    // u16
-inline constexpr uint32_t kPairCount = 14;    // u16
-inline constexpr uint32_t kTripleCount = 16;  // u16
-inline constexpr uint32_t kBytes = 18;
-
-/// Grids lie within this of the origin, so that a position in px at the largest
-/// size takes 20 bits in Q8. [u]
-inline constexpr int32_t kGridLimit = 1984;
-
-// A line is n.p + c, an arc n.p + c + k w^2 with w = nx py - ny px + cw.
-inline constexpr uint32_t kNormalX = 0;  // i16, Q14
-inline constexpr uint32_t kNormalY = 2;  // i16, Q14
-inline constexpr uint32_t kOffset = 4;   // i16, Q4 u: c
-inline constexpr uint32_t kAlong = 6;    // i16, Q4 u: cw
-inline constexpr uint32_t kBend = 8;     // i16, 2^-19 / u: k
-inline constexpr uint32_t kLineBytes = 6;
-inline constexpr uint32_t kArcBytes = 10;
-
-inline constexpr uint32_t kPairUnits = 2;    // f0, f1
-inline constexpr uint32_t kTripleUnits = 4;  // operator, f0, f1, f2
-
-// A reference: kOutside, kInside, then nodes from kFirstNode on, single
-// fields, pairs, triples.
-}  // namespace edges
-
-// The linked form of a record of fields. Behind the grid a heap of units of two
-// bytes: the references of the tiles, then whatever they lead to.
-namespace linked {
-inline constexpr uint8_t kFlag = 0x80;     // set in tile_log2
-inline constexpr uint32_t kHeapUnits = 8;  // u16
-inline constexpr uint32_t kBytes = 10;
-inline constexpr uint32_t kMaxUnits = 8192;
-
-// A reference is kOutside, kInside, or one of these and a unit of the heap.
-inline constexpr uint32_t kOffsetBits = 13;
-inline constexpr uint32_t kOffsetMask = kMaxUnits - 1;
-inline constexpr uint32_t kNode = 1;     // four references
-inline constexpr uint32_t kLine = 2;     // nx, ny, c
-inline constexpr uint32_t kArc = 3;      // nx, ny, c, cw, k
-inline constexpr uint32_t kMinPair = 4;  // two fields
-inline constexpr uint32_t kMaxPair = 5;
-inline constexpr uint32_t kTriple = 6;  // operator, three fields
-
-constexpr uint32_t reference(uint32_t tag, uint32_t unit) noexcept {
-  return tag << kOffsetBits | unit;
-}
-
-// The field of a pair or triple: where it lies, and whether it is an arc.
-inline constexpr uint32_t kArcField = 0x8000;
-
-inline constexpr uint32_t kNodeUnits = 4;
-inline constexpr uint32_t kLineUnits = 3;
-inline constexpr uint32_t kArcUnits = 5;
-inline constexpr uint32_t kPairUnits = 2;
-inline constexpr uint32_t kTripleUnits = 4;
-}  // namespace linked
 
 }  // namespace format
 }  // namespace inkcell
