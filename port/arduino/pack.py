@@ -1,12 +1,14 @@
 """Packs the library as Arduino wants it: all sources below src/, which is its only
-include folder.
+include folder, in a folder and in a zip beside it. "Add .ZIP Library" takes the
+zip; a repository for Library Manager has the content of the folder at its top.
 
-Usage: pack.py FONT.ttf FONTGEN FOLDER
+The examples get a font of ASCII and the degree sign. Another one for a sketch:
 
-FOLDER, such as Inkcell, is made; its zip is what "Add .ZIP Library" takes. FONT is
-the font of the example, FONTGEN the path of inkcell-fontgen.
+    inkcell-fontgen --font FONT.ttf --name sans --out sans.h
 """
+import argparse
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -22,23 +24,74 @@ FOLDERS = {"core/include": ".", "core/src": ".",
            "port/pixel/include": ".", "port/display/include": ".",
            "port/pixel/src": "pixel", "port/display/src": "display",
            "port/c/include": ".", "port/c/src": "c"}
+# Where a sketch draws; the name of its font, and the characters.
+FONTS = {"Hello": ("digits", "0123456789: ")}
+DEFAULT_FONT = ("sans", "".join(map(chr, range(0x20, 0x7f))) + "\u00b0")
+# Until the library has one.
+NO_PAGE = "https://inkcell.invalid"
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("font", type=pathlib.Path, metavar="FONT.ttf",
+                        help="font of the examples")
+    parser.add_argument("fontgen", type=pathlib.Path, metavar="FONTGEN",
+                        help="path of inkcell-fontgen")
+    parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER",
+                        help="folder to make, such as Inkcell; FOLDER.zip too")
+    parser.add_argument("--url", default=NO_PAGE,
+                        help="page of the library, which Library Manager wants "
+                             f"(default: {NO_PAGE})")
+    return parser.parse_args()
+
+
+def all_headers():
+    """Inkcell.h, which has everything."""
+    headers = sorted(
+        str(path.relative_to(ROOT / source)) for source in FOLDERS
+        if source.endswith("/include")
+        for path in (ROOT / source).rglob("*.hpp"))
+    lines = [f'#include "{header}"' for header in headers]
+    return "\n".join(["// What a sketch includes: the whole library.",
+                      "#pragma once", "", *lines, "",
+                      '#include "InkcellPrint.h"', ""])
+
+
+def add_examples(folder, font, fontgen):
+    for example in sorted((HERE / "examples").iterdir()):
+        shutil.copytree(example, folder / example.name)
+        name, characters = FONTS.get(example.name, DEFAULT_FONT)
+        subprocess.run(
+            [fontgen, f"--font={font}", f"--symbols={characters}",
+             f"--name={name}", "--format=hpp", "--quiet",
+             f"--out={folder / example.name / name}.h"], check=True)
 
 
 def main():
-    font, fontgen, folder = map(pathlib.Path, sys.argv[1:])
+    arguments = read_arguments()
+    folder = arguments.folder
+    if folder.exists():
+        sys.exit(f"{folder} exists: remove it, or name another folder")
     folder.mkdir(parents=True)
     for source, target in FOLDERS.items():
         shutil.copytree(ROOT / source, folder / "src" / target,
                         dirs_exist_ok=True,
                         ignore=shutil.ignore_patterns("*.md"))
-    shutil.copy(HERE / "Inkcell.h", folder / "src")
-    shutil.copy(HERE / "library.properties", folder)
+    shutil.copy(HERE / "InkcellPrint.h", folder / "src")
+    (folder / "src/Inkcell.h").write_text(all_headers())
+    properties = (HERE / "library.properties").read_text()
+    (folder / "library.properties").write_text(
+        re.sub("(?m)^url=.*$", f"url={arguments.url}", properties))
+    shutil.copy(HERE / "keywords.txt", folder)
     shutil.copy(ROOT / "LICENSE", folder)
-    example = folder / "examples/Hello"
-    shutil.copytree(HERE / "Hello", example)
-    subprocess.run([fontgen, f"--font={font}", "--symbols=0123456789: ",
-                    "--name=digits", "--format=hpp", "--quiet",
-                    f"--out={example / 'digits.h'}"], check=True)
+    add_examples(folder / "examples", arguments.font, arguments.fontgen)
+    archive = shutil.make_archive(str(folder), "zip", folder.parent, folder.name)
+    print(f"Packed {folder} and {archive}")
+    if arguments.url == NO_PAGE:
+        print(f"note: url is {NO_PAGE}; Library Manager wants a page that exists: "
+              "--url", file=sys.stderr)
 
 
 main()

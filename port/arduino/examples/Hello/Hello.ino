@@ -1,5 +1,5 @@
-// Draws a line of text into RAM, as RGB565, and prints how many pixels have ink.
-// Send `pixels` to your display in place of counting.
+// Draws a line of text into RAM, as RGB565, and prints how many pixels have
+// ink. Send `pixels` to your display in place of counting.
 #include <Inkcell.h>
 
 #include "digits.h"  // made by inkcell-fontgen: digits, a colon, a blank

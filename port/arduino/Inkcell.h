@@ -1,4 +1,0 @@
-// What a sketch includes.
-#pragma once
-
-#include "inkcell/inkcell.hpp"

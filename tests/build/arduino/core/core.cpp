@@ -1,0 +1,7 @@
+// Its objects.
+#include <SPI.h>
+#include <Wire.h>
+
+Port Serial;
+SPIClass SPI;
+TwoWire Wire;

@@ -1,0 +1,2 @@
+// In Arduino.h.
+#include "../Arduino.h"

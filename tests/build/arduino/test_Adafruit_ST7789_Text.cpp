@@ -1,0 +1,62 @@
+// Lines end between words, at the right edge; text without a paper lies on what
+// was there. A long word is cut, the bytes of a character may come one by one,
+// and nothing is printed without a font.
+#include "Adafruit_ST7789_Text.ino"
+#include "expected.hpp"
+
+static uint16_t wanted[240 * 240];
+
+static int check_example() {
+  setup();
+  loop();
+  for (uint16_t& pixel : wanted) {
+    pixel = 0xffff;
+  }
+  const Expected small(fonts::sans, 18, false);
+  const Expected large(fonts::sans, 40.5, false);
+  const auto canvas = inkcell::port::gfx_canvas16(wanted, 240, 240, 0x0000);
+  int y = small.ascent();
+  small.draw(canvas, 0, y, "Lines end between words, ");
+  small.draw(canvas, 0, y += small.line(), "as they do on paper.");
+  y += small.line();
+  small.draw(canvas, 0, y, "Pressure: ", "1013");
+  const auto red = inkcell::port::gfx_canvas16(wanted, 240, 240, 0xf800);
+  large.draw(red, 240 - large.width("12:34"), 160, "12:34");
+  inkcell::port::Rgb565Canvas green(canvas.strip(), 0x07e0);
+  green.window = {8, 190, 108, 230};
+  green.fill();
+  green.set_colour(0x001f);
+  Expected(fonts::sans, 28, false).draw(green, 12, 220, "Over");
+  return compare("Adafruit_ST7789", tft.memory, wanted, 240 * 240);
+}
+
+static int check_edges() {
+  GFXcanvas16 canvas(60, 80);
+  InkcellPrint out(canvas);
+  const bool is_silent = out.print("A") == 0 && out.getWriteError() != 0 &&
+                         !out.setFont({}, 12) && out.textWidth("A") == 0;
+  const Expected font(fonts::sans, 20, false);
+  out.setFont(fonts::sans, 20);
+  out.setCursor(0, 20);
+  out.print("WWWWW");  // three to the line
+  out.setCursor(4, 20 + 2 * font.line());
+  for (const char* byte = "\u00B0C"; *byte != '\0'; ++byte) {
+    out.write(static_cast<uint8_t>(*byte));
+  }
+  static uint16_t pixels[60 * 80];
+  const auto paper = inkcell::port::gfx_canvas16(pixels, 60, 80);
+  font.draw(paper, 0, 20, "WWW");
+  font.draw(paper, 0, 20 + font.line(), "WW");
+  font.draw(paper, 4, 20 + 2 * font.line(), "\u00B0", "C");
+  int16_t left, top;
+  uint16_t width, height;
+  out.getTextBounds(String("WW"), 0, 20, &left, &top, &width, &height);
+  const bool is_bounded = left >= -1 && top > 0 && top + height >= 20 &&
+                          width >= font.width("WW") - 2;
+  return compare("GFXcanvas16", canvas.getBuffer(), pixels, 60 * 80) |
+         !is_silent | !is_bounded;
+}
+
+int main() {
+  return check_example() | check_edges();
+}
