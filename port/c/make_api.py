@@ -1,4 +1,5 @@
-"""Makes headers and sources of the interface for C from its table, api.txt.
+"""Makes headers and sources of the interface for C from its tables: api.txt, and
+port/display/c_api.txt for drivers of displays.
 
 Usage: make_api.py [FOLDER]
 
@@ -11,8 +12,10 @@ import sys
 import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 WIDTH = 80
-MADE = "// Made by port/c/make_api.py from port/c/api.txt: edit that instead.\n"
+TABLES = ("port/c/api.txt", "port/display/c_api.txt")
+MADE = "// Made by port/c/make_api.py from {}: edit that instead.\n"
 SOURCE = f"""// clang-format off
 {MADE}#include "mirror.hpp"
 
@@ -21,7 +24,8 @@ using namespace inkcell::c;
 """
 # Some types have private members: only GCC and Clang know the places of others.
 CHECKS = '\n#pragma GCC diagnostic ignored "-Winvalid-offsetof"\n'
-TWINS = "// What types of C stand for.\n" + MADE + "#pragma once\n\n"
+TWINS = ("// What types of C stand for.\n" + MADE.format("its tables") +
+         "#pragma once\n\n")
 FUNCTION = r"(\w[\w ]*\*? )(inkcell_[\w{}]+)\(([^()]*)\)(?: = (.*))?"
 
 
@@ -74,10 +78,10 @@ class Api:
         self.each = ["{}"]
 
     def declare(self, text):
-        self.headers[self.header][1] += text
+        self.headers[self.header][2] += text
 
     def define(self, text):
-        self.sources.setdefault(self.source, SOURCE)
+        self.sources.setdefault(self.source, SOURCE.format(self.table))
         self.sources[self.source] += "\n" + text
 
     def read(self, head, tail):
@@ -115,7 +119,7 @@ class Api:
         self.header, c, cpp = re.fullmatch(r"(\S+): (.*?); *(.*)",
                                            text).groups()
         self.source = pathlib.Path(self.header).stem + ".cpp"
-        self.headers[self.header] = ["".join(
+        self.headers[self.header] = [self.table, "".join(
             f"#include <{name}>\n" if name.startswith("std")
             else f'#include "inkcell/{name}"\n' for name in c.split()), ""]
         self.includes += cpp.split()
@@ -184,10 +188,10 @@ class Api:
                        for line in body)
         self.define(f"{signature(result, name, listed, ' {')}{text}}}\n")
 
-    def header_text(self, includes, text):
+    def header_text(self, table, includes, text):
         comment, _, rest = text.partition("\n\n")
         comment = filled(comment.strip() + "\n")
-        begin = f"{comment}//\n{MADE}#pragma once\n\n{includes}"
+        begin = f"{comment}//\n{MADE.format(table)}#pragma once\n\n{includes}"
         return begin if not rest else (
             f'{begin}\n#ifdef __cplusplus\nextern "C" {{\n#endif\n\n'
             f"{filled(rest)}#ifdef __cplusplus\n}}\n#endif\n")
@@ -199,8 +203,8 @@ class Api:
         return {**{f"include/inkcell/{name}": self.header_text(*header)
                    for name, header in self.headers.items()},
                 **{f"src/{name}": text for name, text in self.sources.items()},
-                "src/status.cpp":
-                    self.sources["status.cpp"] + CHECKS + self.checks,
+                "src/checks.cpp":
+                    SOURCE.format("its tables") + CHECKS + self.checks,
                 "src/twins.hpp":
                     f"{TWINS}{includes}\nnamespace inkcell {{\nnamespace c {{\n"
                     "\n/// What a type of C stands for: `Type`.\n"
@@ -212,9 +216,10 @@ def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE)
     api = Api()
     # Lines that are indented belong to the one before them.
-    for head, tail in re.findall(r"(?m)^(|[^# ].*|#\w.*)\n((?: .*\n)*)",
-                                 (HERE / "api.txt").read_text()):
-        api.read(head, tail.splitlines())
+    for api.table in TABLES:
+        for head, tail in re.findall(r"(?m)^(|[^# ].*|#\w.*)\n((?: .*\n)*)",
+                                     (ROOT / api.table).read_text()):
+            api.read(head, tail.splitlines())
     for name, text in api.files().items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)

@@ -3,8 +3,8 @@ them in QEMU and on the host against models of their displays, and compares thei
 sizes with the table of docs/PORTING.md.
 
 Code is .text of the program with libgcc, memcpy() and memset(), without start-up
-code; RAM is what is static. Stack is what main() took in QEMU. Both machines must
-show the same screens.
+code; RAM is what is static. Stack is what main() took in QEMU. Both machines, and
+programs of C++ and C, must show the same screens.
 
 Usage: check_examples.py WORK_FOLDER FONTGEN PROGRAM...
 """
@@ -32,10 +32,16 @@ def call(*command):
     return result.stdout
 
 
+def source_of(name):
+    """The source of a program: st7789.c of st7789_c."""
+    return re.sub("_c$", ".c", name) if name.endswith("_c") else f"{name}.cpp"
+
+
 def count_lines(name):
     """Lines of run() and main(), which end the program."""
-    text = (EXAMPLES / f"{name}.cpp").read_text()
-    return len(text[text.index("static Status run() {"):].splitlines())
+    text = (EXAMPLES / source_of(name)).read_text()
+    begin = re.search(r"^static \w+ run\((void)?\) \{", text, re.M)
+    return len(text[begin.start():].splitlines())
 
 
 def sizes_of(program):
@@ -49,15 +55,18 @@ def sizes_of(program):
 
 def table():
     """The rows of the table, by the program's name."""
-    rows = re.findall(r"^\| `(\w+)\.cpp` \|.*\| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$",
+    rows = re.findall(r"^\| `(\w+\.c(?:pp)?)` \|.*\| (\d+) \| (\d+) \| (\d+) "
+                      r"\| (\d+) \|$",
                       (ROOT / "docs/PORTING.md").read_text(), re.M)
     return {name: dict(zip(SPREAD, map(int, figures)))
             for name, *figures in rows}
 
 
-def check(program, build, said):
-    """Problems of one program, which the host has run as `program`."""
+def check(program, build, said, screens):
+    """Problems of one program, which the host has run as `program`. `screens` has
+    what programs show."""
     name = program.name.removeprefix("example_")
+    source = source_of(name)
     host = run([program])
     device = run(["sh", QEMU, "mps2_an385", build / f"example_{name}.elf"])
     problems = [f"{name} ({where}):\n{result.stdout}"
@@ -70,17 +79,21 @@ def check(program, build, said):
     if re.sub(r"stack \d+\n", "", device.stdout) != host.stdout:
         problems.append(f"{name}: other screens on Cortex-M0:\n{device.stdout}\n"
                         f"than on the host:\n{host.stdout}")
+    shown = screens.setdefault(source.split(".")[0], host.stdout)
+    if shown != host.stdout:
+        problems.append(f"{source} shows other screens:\n{host.stdout}\nthan in "
+                        f"C++:\n{shown}")
     found = {**sizes_of(build / f"examples/{name}.elf"),
              "stack": max(stacks)}
-    print(f"{name:8} " + ", ".join(f"{what} {size}"
+    print(f"{source:12} " + ", ".join(f"{what} {size}"
                                    for what, size in found.items()))
-    problems += [f"docs/PORTING.md: {name}.cpp takes {found[what]} bytes of "
-                 f"{what}, not {said.get(name, {}).get(what)}"
+    problems += [f"docs/PORTING.md: {source} takes {found[what]} bytes of "
+                 f"{what}, not {said.get(source, {}).get(what)}"
                  for what, spread in SPREAD.items()
-                 if abs(said.get(name, {}).get(what, -1000) - found[what]) > spread]
+                 if abs(said.get(source, {}).get(what, -1000) - found[what]) > spread]
     lines = count_lines(name)
     if lines > MOST_LINES:
-        problems.append(f"{name}.cpp: run() and main() have {lines} lines; "
+        problems.append(f"{source}: run() and main() have {lines} lines; "
                         f"{MOST_LINES} are allowed")
     return problems
 
@@ -90,21 +103,22 @@ def main():
                                 for word in sys.argv[1:])
     require([ARM + "g++", "cmake", "ninja", "qemu-system-arm"])
     shutil.rmtree(work, ignore_errors=True)
-    names = {path.stem for path in EXAMPLES.glob("*.cpp")} - {"your_board"}
+    sources = {path.name for path in EXAMPLES.glob("*.c*")} - {"your_board.c"}
     said = table()
     problems = []
-    for what, found in (("tests", {path.name.removeprefix("example_")
+    for what, found in (("tests", {source_of(path.name.removeprefix("example_"))
                                    for path in programs}),
                         ("rows in docs/PORTING.md", set(said))):
-        if found != names:
-            problems.append(f"examples {sorted(names)}, {what} {sorted(found)}")
+        if found != sources:
+            problems.append(f"examples {sorted(sources)}, {what} {sorted(found)}")
     call("cmake", "-G", "Ninja", "-S", ROOT / "tests/build/examples", "-B", work,
          f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}", "-DCMAKE_BUILD_TYPE=MinSizeRel",
          f"-DINKCELL_FONTGEN={fontgen}")
     call("cmake", "--build", work, "--target",
          *(program.name for program in programs))
+    screens = {}
     for program in programs:
-        problems += check(program, work, said)
+        problems += check(program, work, said, screens)
     finish(len(programs) + 1, problems)
 
 

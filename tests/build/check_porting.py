@@ -46,7 +46,7 @@ def main():
         problems.append("the paths were not found")
     for path in paths:
         places = [ROOT, *ROOT.glob("core/**/include"),
-                  ROOT / "port/display/include", ROOT / "port/pixel/include"]
+                  *ROOT.glob("port/*/include")]
         if not any((place / path).exists() for place in places):
             problems.append(f"there is no {path}")
 

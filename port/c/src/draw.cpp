@@ -63,6 +63,23 @@ void inkcell_glyph_box(const inkcell_font_t* font,
       glyph);
 }
 
+void inkcell_text_pixels(const inkcell_font_t* font,
+                         const char* text,
+                         size_t size,
+                         const inkcell_style_t* style,
+                         int32_t x_q6,
+                         int32_t y_q6,
+                         inkcell_rect_t* out) {
+  ref(out) = Painter().box(ref(font), ref(style), point_of(x_q6, y_q6),
+      text_of(text, size));
+}
+
+void inkcell_bounding_box(const inkcell_rect_t* a,
+                          const inkcell_rect_t* b,
+                          inkcell_rect_t* out) {
+  ref(out) = bounding_box(ref(a), ref(b));
+}
+
 inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
                                  const char* text,
                                  size_t size,

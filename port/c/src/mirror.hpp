@@ -1,7 +1,7 @@
 // What functions of C make of their parameters.
 //
 // A type of C has the size and the alignment of the one that it stands for.
-// Members lie at the same places: status.cpp says so. It may alias any other.
+// Members lie at the same places: checks.cpp says so. It may alias any other.
 #pragma once
 
 #include <stddef.h>

@@ -19,3 +19,7 @@ inkcell_status_t inkcell_xrgb8888_sink(inkcell_xrgb8888_target_t* target,
                                        inkcell_sink_t* out) {
   return code(make_sink(target, out));
 }
+
+void inkcell_fill(const inkcell_sink_t* sink) {
+  port::detail::fill(ref(sink));
+}

@@ -1,5 +1,5 @@
 // What types of C stand for.
-// Made by port/c/make_api.py from port/c/api.txt: edit that instead.
+// Made by port/c/make_api.py from its tables: edit that instead.
 #pragma once
 
 #include "inkcell/bilevel.hpp"
@@ -22,15 +22,22 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/dither.hpp"
+#include "inkcell/port/gc9a01.hpp"
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
 #include "inkcell/port/grey8.hpp"
+#include "inkcell/port/i2c_display.hpp"
+#include "inkcell/port/ili9341.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/ssd1306.hpp"
+#include "inkcell/port/ssd1680.hpp"
+#include "inkcell/port/st7735.hpp"
+#include "inkcell/port/st7789.hpp"
 #include "inkcell/port/strip_loop.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/prepared_glyph.hpp"
@@ -209,6 +216,26 @@ struct CppOf<inkcell_glyph_cache_t> {
 template <>
 struct CppOf<inkcell_glyph_cache_stats_t> {
   using Type = GlyphCacheStats;
+};
+template <>
+struct CppOf<inkcell_display_bus_t> {
+  using Type = port::DisplayBus;
+};
+template <>
+struct CppOf<inkcell_i2c_display_t> {
+  using Type = port::I2cDisplay;
+};
+template <>
+struct CppOf<inkcell_dcs_panel_t> {
+  using Type = port::DcsPanel;
+};
+template <>
+struct CppOf<inkcell_ssd1306_t> {
+  using Type = port::Ssd1306;
+};
+template <>
+struct CppOf<inkcell_ssd1680_t> {
+  using Type = port::Ssd1680;
 };
 
 }  // namespace c

@@ -18,7 +18,7 @@
 #include <inkcell/kinetic/timeline.hpp>
 #include <inkcell/port/ili9341.hpp>
 
-#include "your_board.hpp"
+#include "your_board.h"
 
 using namespace inkcell;
 using namespace inkcell::kinetic;

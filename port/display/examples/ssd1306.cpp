@@ -24,7 +24,7 @@
 #include <inkcell/port/i2c_display.hpp>
 #include <inkcell/port/ssd1306.hpp>
 
-#include "your_board.hpp"
+#include "your_board.h"
 
 using namespace inkcell;
 using namespace inkcell::port;

@@ -20,7 +20,7 @@
 #include <inkcell/inkcell.hpp>
 #include <inkcell/port/ssd1680.hpp>
 
-#include "your_board.hpp"
+#include "your_board.h"
 
 using namespace inkcell;
 using namespace inkcell::port;

@@ -22,7 +22,7 @@
 #include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/st7789.hpp>
 
-#include "your_board.hpp"
+#include "your_board.h"
 
 using namespace inkcell;
 using namespace inkcell::port;

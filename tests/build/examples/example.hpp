@@ -1,6 +1,6 @@
 // Runs an example of port/display/examples against a model of its display.
 //
-// The functions of the example's your_board.hpp are the test's. They call
+// The functions of the example's your_board.h are the test's. They call
 // stop() when they have seen enough, which ends the example. On a board the
 // example's stack is printed.
 #pragma once
@@ -16,7 +16,11 @@
 #endif
 
 /// The example's main().
-int example_main();
+#if EXAMPLE_IS_C
+extern "C"
+#endif
+    int
+    example_main();
 
 namespace example {
 

@@ -1,6 +1,6 @@
 // The example clock.cpp: 12:59, 13:00 and 12:59 again.
 #include "colour_screen.hpp"
-#include "your_board.hpp"
+#include "your_board.h"
 
 namespace {
 

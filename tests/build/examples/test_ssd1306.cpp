@@ -1,7 +1,7 @@
 // The example ssd1306.cpp, until its line has gone round once.
 #include "example.hpp"
 #include "mono_model.hpp"
-#include "your_board.hpp"
+#include "your_board.h"
 
 namespace {
 

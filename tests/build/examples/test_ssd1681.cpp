@@ -2,7 +2,7 @@
 // of those as a full one, in another run.
 #include "epaper_model.hpp"
 #include "example.hpp"
-#include "your_board.hpp"
+#include "your_board.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The example st7789.cpp: three temperatures, the last one as the first; and
 // the second one as the first of another run.
 #include "colour_screen.hpp"
-#include "your_board.hpp"
+#include "your_board.h"
 
 namespace {
 

@@ -93,6 +93,20 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        int32_t y_q6,
                        inkcell_rect_t* out);
 
+/// The same of inkcell_draw_text().
+void inkcell_text_pixels(const inkcell_font_t* font,
+                         const char* text,
+                         size_t size,
+                         const inkcell_style_t* style,
+                         int32_t x_q6,
+                         int32_t y_q6,
+                         inkcell_rect_t* out);
+
+/// The smallest rectangle that holds both; an empty one adds nothing.
+void inkcell_bounding_box(const inkcell_rect_t* a,
+                          const inkcell_rect_t* b,
+                          inkcell_rect_t* out);
+
 /// Positions of all glyphs of one line, into `out`, which has room for
 /// `capacity`; as many as the text has bytes always suffice. `count` glyphs are
 /// there. With `style`, which may be null: with its advances.

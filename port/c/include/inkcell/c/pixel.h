@@ -146,6 +146,9 @@ inkcell_status_t inkcell_rgb888_sink(inkcell_rgb888_target_t* target,
 inkcell_status_t inkcell_xrgb8888_sink(inkcell_xrgb8888_target_t* target,
                                        inkcell_sink_t* out);
 
+/// Draws all pixels of a sink's window: a background.
+void inkcell_fill(const inkcell_sink_t* sink);
+
 // With a coverage for each sub-pixel: for inkcell_style_set_lcd().
 inkcell_status_t inkcell_rgb565_lcd_sink(inkcell_rgb565_target_t* target,
                                          inkcell_sink_t* out);

@@ -1,10 +1,14 @@
-// What the examples need of your board. your_board.cpp has these functions,
+// What the examples need of your board. your_board.c has these functions,
 // empty: fill in those that your display needs. `context` is
 // DisplayBus::context or the like, which the examples leave null.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /// SPI, the display's CS low: D/C is low for commands and high for data. Both
 /// return when the bytes are sent.
@@ -31,5 +35,9 @@ void wait_idle(void* context);
 
 /// What the examples show: a temperature as text, "21.5"; minutes since
 /// midnight.
-const char* read_temperature();
-uint32_t read_minutes();
+const char* read_temperature(void);
+uint32_t read_minutes(void);
+
+#ifdef __cplusplus
+}
+#endif
