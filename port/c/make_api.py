@@ -23,7 +23,14 @@ using namespace inkcell;
 using namespace inkcell::c;
 """
 # Some types have private members: only GCC and Clang know the places of others.
-CHECKS = '\n#pragma GCC diagnostic ignored "-Winvalid-offsetof"\n'
+CHECKS = """
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#define SAME_VALUE(c, cpp) \\
+  static_assert(static_cast<int>(c) == static_cast<int>(cpp))
+#define SAME_FIELD(c, member, cpp, twin)                \\
+  static_assert(offsetof(c, member) == offsetof(cpp, twin) && \\
+                sizeof(c::member) == sizeof(cpp::twin))
+"""
 TWINS = ("// What types of C stand for.\n" + MADE.format("its tables") +
          "#pragma once\n\n")
 FUNCTION = r"(\w[\w ]*\*? )(inkcell_[\w{}]+)\(([^()]*)\)(?: = (.*))?"
@@ -141,9 +148,7 @@ class Api:
                     r"(?m)^  \w[^/(;\n]*?\(?\*?(\w+)(?:;|\)\()", members):
                 twin = twins.get(member, member.removesuffix("_q6"))
                 self.checks += wrapped(
-                    f"static_assert(offsetof({name}, {member}) == "
-                    f"offsetof({cpp}, {twin}) && sizeof({name}::{member}) == "
-                    f"sizeof({cpp}::{twin}));", "    ")
+                    f"SAME_FIELD({name}, {member}, {cpp}, {twin});", "    ")
 
     def read_enum(self, head, constants):
         cpp, prefix, short = re.fullmatch(r"([\w:]+) ?(\w*)(?: \{ (.*) \})?",
@@ -156,8 +161,7 @@ class Api:
         for name in re.findall(r"INKCELL_(\w+) =", text):
             twin = name.removeprefix(prefix).lower()
             self.checks += wrapped(
-                f"static_assert(static_cast<int>(INKCELL_{name}) == "
-                f"static_cast<int>({cpp}::{twin}));", "    ")
+                f"SAME_VALUE(INKCELL_{name}, {cpp}::{twin});", "    ")
 
     def parameter(self, text):
         if " " in text:

@@ -11,14 +11,14 @@ import {pathToFileURL} from 'node:url';
 const [source, host, folder, node = process.execPath] = process.argv.slice(2);
 const FONT = '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf';
 rmSync(folder, {recursive: true, force: true});
-mkdirSync(`${folder}/work/deep`, {recursive: true});
+mkdirSync(`${folder}/project/deep`, {recursive: true});
 const [{filename}] = JSON.parse(execFileSync('npm',
   ['pack', '--json', '--pack-destination', folder, source], {encoding: 'utf8'}));
 execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', '--silent',
   '--prefix', folder, join(folder, filename)]);
 const packed = `${folder}/node_modules/inkcell-fontgen`;
 const cli = `${folder}/node_modules/.bin/inkcell-fontgen`;
-const at = `${folder}/work`;
+const at = `${folder}/project`;
 copyFileSync(FONT, `${at}/Sans.ttf`);
 writeFileSync(`${at}/deep/main.c`, 'const char* text = "Grüße";\n');
 
@@ -49,7 +49,7 @@ both(['--font', FONT, ...quick, '--name', 'a', '--out', 'deep/a.c', '--header', 
   ['deep/a.c', 'a.h']);
 both([`--font=${at}/Sans.ttf`, '--strings-from', 'deep/*.c', '--quiet', '--out', 'a.hpp'],
   'a.hpp');
-both(['--font', `../work/Sans.ttf`, ...quick, '--out', 'a.hpp', '--depfile', 'a.d'],
+both(['--font', `../project/Sans.ttf`, ...quick, '--out', 'a.hpp', '--depfile', 'a.d'],
   ['a.hpp', 'a.d']);
 const report = both(['--font', 'Sans.ttf', '--symbols', 'Ag', '--out', 'a.bin'], 'a.bin');
 assert.match(report.stdout, /total/);
