@@ -28,8 +28,10 @@ bool render_scene(uint32_t frame) {
     return false;
   }
   scene.set_frame(frame);
-  demo::show(nullptr,
-             [](void*, const inkcell::Strip& strip) { scene.draw(strip); });
+  demo::show([](void*, const inkcell::Strip& strip) {
+    scene.draw(strip);
+    return inkcell::Status::ok;
+  });
   return true;
 }
 

@@ -199,7 +199,7 @@ def check(screen, picture, frame, save):
             print(f"FAILED  {name}: {failure}", flush=True)
             return False
     costs = [line.strip() for line in output.splitlines()
-             if "instructions" in line]
+             if "instructions" in line or "bytes" in line]
     print("ok     ", "; ".join([f"{name}: {result}", *costs]), flush=True)
     return True
 

@@ -104,8 +104,8 @@ set(INKCELL_MOTION_print print_scene.hpp PrintScene)
 
 # inkcell_add_motions(<name> <board> <format> <scenes>)
 #
-# <name>_motion_<scene> for each scene that the board plays, on what
-# <name>_pattern draws on; their names in the variable <scenes>.
+# <name>_motion_<scene> for each scene that the board plays, and for `values`, on
+# what <name>_pattern draws on; their names in the variable <scenes>.
 function(inkcell_add_motions name board format scenes)
   inkcell_add_motion_font()
   set(INKCELL_DEMO_MOTIONS path clock particles figure15)
@@ -121,5 +121,17 @@ function(inkcell_add_motions name board format scenes)
       PRIVATE inkcell_scenes inkcell_motion_font)
     target_compile_options(${name}_motion_${scene} PRIVATE ${INKCELL_WARNINGS})
   endforeach()
-  set(${scenes} ${INKCELL_DEMO_MOTIONS} PARENT_SCOPE)
+  # The host draws at once what boards draw change by change.
+  set(at_once 1)
+  if(INKCELL_BOARD)
+    set(at_once 0)
+  endif()
+  add_library(${name}_motion_values STATIC ${INKCELL_DEMO_DIR}/values.cpp)
+  target_compile_definitions(${name}_motion_values PRIVATE
+    INKCELL_VALUES_AT_ONCE=${at_once})
+  target_link_libraries(${name}_motion_values
+    PUBLIC ${name}_pattern
+    PRIVATE inkcell_motion_font)
+  target_compile_options(${name}_motion_values PRIVATE ${INKCELL_WARNINGS})
+  set(${scenes} ${INKCELL_DEMO_MOTIONS} values PARENT_SCOPE)
 endfunction()

@@ -4,18 +4,19 @@
 //
 // Coming from Adafruit_GFX or U8g2: there is no such call. A digit's box is
 //
-//   GFXcanvas16 canvas(w, h)             Strip, and Rgb565Canvas on it
+//   GFXcanvas16 canvas(w, h)             Rgb565Canvas on a strip
 //   canvas.fillScreen(paper)             the third argument of Rgb565Canvas
 //   canvas.setCursor(x, y); print('7')   morph.draw(x, y, canvas)
-//   tft.drawRGBBitmap(x, y,              write(display, strip)
+//   tft.drawRGBBitmap(x, y,              run_strips(loop, {x, y, x + w, y + h})
 //       canvas.getBuffer(), w, h)
 //   tft.setRotation(1)                   display.rotation = Rotation::quarter
-//   tft.fillScreen(paper)                strips of paper, sent by write()
+//   tft.fillScreen(paper)                run_strips(loop)
 #include <fonts/digits.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/kinetic/easing.hpp>
 #include <inkcell/kinetic/morph.hpp>
 #include <inkcell/kinetic/timeline.hpp>
+#include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/ili9341.hpp>
 
 #include "your_board.h"
@@ -42,10 +43,20 @@ static uint16_t glyph_of(const Font& font, uint32_t minutes, size_t digit) {
   return font.glyph_or_notdef('0' + digits[digit]);
 }
 
-static Rgb565Canvas paper(int32_t x, int32_t y, int32_t width, int32_t height) {
-  return Rgb565Canvas(
-      {pixels, x, y, width, height, 2 * width, ByteOrder::high_first}, kInk,
-      kPaper);
+struct Screen {
+  Font font;
+  GlyphMorph* morph;
+  size_t digit = 4;  // that changes; 4: none
+};
+
+static Status draw(void* context, const Strip& strip) {
+  const Screen& screen = *static_cast<const Screen*>(context);
+  const Rgb565Canvas canvas(strip, kInk, kPaper);
+  Painter(canvas).text(screen.font, kStyle, {144, kY + kBox.baseline - 9}, ":");
+  if (screen.digit < 4) {
+    screen.morph->draw(kX[screen.digit], kY, canvas);
+  }
+  return canvas.status();
 }
 
 static Status run() {
@@ -59,32 +70,31 @@ static Status run() {
   display.rotation = Rotation::quarter;
   display.mirror_columns = display.blue_first = true;  // as on most modules
   INKCELL_TRY(init(display));
-  for (int32_t y = 0; y < 240; y += 10) {
-    INKCELL_TRY(write(display, paper(0, y, 320, 10).strip()));
-  }
-  Font font;
-  INKCELL_TRY(Font::open(fonts::digits, font));
-  const Rgb565Canvas colon = paper(144, kY, 32, kBox.height);
-  Painter(colon).text(font, kStyle, {144, kY + kBox.baseline - 9}, ":");
-  INKCELL_TRY(write(display, colon.strip()));
+  Screen screen;
+  INKCELL_TRY(Font::open(fonts::digits, screen.font));
+  StripLoop loop = loop_over(display, pixels);
+  loop.context = &screen;
+  loop.draw = draw;
+  INKCELL_TRY(run_strips(loop));
 
+  const Font& font = screen.font;
   GlyphMorph morph(font, kStyle.size(), kStyle.filter(), kBox, grids);
+  screen.morph = &morph;
   uint32_t shown = read_minutes();
   for (bool is_first = true;; is_first = false) {
     const uint32_t now = read_minutes();
-    for (size_t digit = 4; digit-- > 0;) {
-      const uint16_t from = glyph_of(font, shown, digit);
-      const uint16_t to = glyph_of(font, now, digit);
+    for (screen.digit = 4; screen.digit-- > 0;) {
+      const uint16_t from = glyph_of(font, shown, screen.digit);
+      const uint16_t to = glyph_of(font, now, screen.digit);
       if (from == to && !is_first) {
         continue;
       }
       INKCELL_TRY(morph.set(from, to));
+      const int32_t x = kX[screen.digit];
       for (int32_t frame = 1; frame <= kFrames; ++frame) {
         morph.step(ease(kEaseInOut, fraction(0, kFrames, frame)), scratch);
-        const Rgb565Canvas canvas =
-            paper(kX[digit], kY, kBox.width, kBox.height);
-        morph.draw(kX[digit], kY, canvas);
-        INKCELL_TRY(write(display, canvas.strip()));
+        INKCELL_TRY(
+            run_strips(loop, {x, kY, x + kBox.width, kY + kBox.height}));
         wait_ms(nullptr, 20);
       }
     }

@@ -10,9 +10,9 @@
 //   u8g2.setFont(u8g2_font_helvR10_tf)   Style(12_px) with a Fit
 //   u8g2.drawUTF8(x, y, "A")             painter.text(font, style, {x, y}, "A")
 //   u8g2.getUTF8Width("A")               Painter::measure(font, style, "A")
-//   u8g2.sendBuffer()                    write(display, screen)
-//   u8g2.updateDisplayArea(0, 6, 16, 2)  write(display, line)
-//   firstPage() ... nextPage()           run_strips() with rows_per_stride = 8
+//   u8g2.sendBuffer()                    run_strips(loop)
+//   u8g2.updateDisplayArea(0, 6, 16, 2)  run_strips(loop, {0, 48, 128, 64})
+//   firstPage() ... nextPage()           run_strips(): draws two pages a time
 //   lines that you break yourself        TextBox
 //   drawUTF8(-scroll, y, title)          ScrollingLabel, which draws only the
 //                                        glyphs in its window
@@ -21,6 +21,7 @@
 #include <inkcell/inkcell.hpp>
 #include <inkcell/layout/label.hpp>
 #include <inkcell/layout/text_box.hpp>
+#include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/i2c_display.hpp>
 #include <inkcell/port/ssd1306.hpp>
 
@@ -30,13 +31,30 @@ using namespace inkcell;
 using namespace inkcell::port;
 
 constexpr int32_t kWidth = 128;
-constexpr int32_t kTop = 48;  // of the line that scrolls
-constexpr int32_t kGap = 24;  // between its end and its beginning
+constexpr int32_t kTop = 48;   // of the line that scrolls
+constexpr Q26_6 kGap = 24_px;  // between its end and its beginning
 constexpr const char* kWords =
     "Pump 2 is running dry. Close the valve and call the service.";
 constexpr const char* kNews = "Tank A 71 %, tank B 64 %, outside 21.5 C";
-static uint8_t pixels[kWidth * 64 / 8];
-static PositionedGlyph glyphs[64];  // of the line that scrolls
+static uint8_t rows[kWidth * 16 / 8];  // two of the eight pages
+static PositionedGlyph glyphs[64];     // of the line that scrolls
+
+struct Screen {
+  TextBox words;
+  ScrollingLabel news;
+  Q26_6 scroll;
+};
+
+static Status draw(void* context, const Strip& strip) {
+  const Screen& screen = *static_cast<const Screen*>(context);
+  const MonoPagesCanvas canvas(strip, 1, 0);
+  if (strip.y0 < kTop) {
+    screen.words.draw(kWords, canvas);
+  } else {
+    screen.news.draw_endless(screen.scroll, kGap, canvas);
+  }
+  return canvas.status();
+}
 
 static Status run() {
   I2cDisplay i2c;  // at address 0x3c
@@ -55,21 +73,18 @@ static Status run() {
   INKCELL_TRY(Fit::make(font, style, options, fit));
   style.set_fit(fit);
 
-  const Strip screen = {pixels, 0, 0, kWidth, 64, kWidth};
-  const TextBox box(font, style, {0, 0, kWidth, kTop}, Align::centre);
-  box.draw(kWords, MonoPagesCanvas(screen, 1, 0));
-  INKCELL_TRY(write(display, screen));
-
-  ScrollingLabel label;
-  INKCELL_TRY(ScrollingLabel::make(box.options, kNews, {0, kTop, kWidth, 64},
-                                   glyphs, label));
-  const int32_t length = label.width().floor() + kGap;
-  const Strip line = {
-      {pixels + kTop / 8 * kWidth, 2 * kWidth}, 0, kTop, kWidth, 16, kWidth};
+  Screen screen;
+  screen.words = TextBox(font, style, {0, 0, kWidth, kTop}, Align::centre);
+  INKCELL_TRY(ScrollingLabel::make(screen.words.options, kNews,
+                                   {0, kTop, kWidth, 64}, glyphs, screen.news));
+  StripLoop loop = loop_over(display, rows);
+  loop.context = &screen;
+  loop.draw = draw;
+  INKCELL_TRY(run_strips(loop));
+  const int32_t length = screen.news.width().floor() + kGap.floor();
   for (int32_t scroll = 0;; scroll = (scroll + 1) % length) {
-    label.draw_endless(Q26_6::from_int(scroll), Q26_6::from_int(kGap),
-                       MonoPagesCanvas(line, 1, 0));
-    INKCELL_TRY(write(display, line));
+    screen.scroll = Q26_6::from_int(scroll);
+    INKCELL_TRY(run_strips(loop, {0, kTop, kWidth, 64}));
     wait_ms(nullptr, 30);
   }
 }

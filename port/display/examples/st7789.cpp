@@ -31,21 +31,20 @@ constexpr uint16_t kInk = rgb565(255, 255, 255);
 constexpr uint16_t kPaper = rgb565(0, 50, 90);
 constexpr Style kLabel = Style(24_px);
 constexpr Style kValue = Style(80_px);
-constexpr Point kValueAt = {16, 150};
 constexpr int32_t kRows = 8;  // of a strip
 alignas(4) static uint8_t strips[2][2 * 240 * kRows];
 
 struct Screen {
-  Font font;
-  const char* value;
+  const Font& font;
+  ValueLabel value;
 };
 
 static Status draw(void* context, const Strip& strip) {
   const Screen& screen = *static_cast<const Screen*>(context);
   const Rgb565Canvas canvas(strip, kInk, kPaper);
-  const Painter painter(canvas);
-  painter.text(screen.font, kLabel, {16, 48}, u8"\uE001 Living \u5BA2\u5385");
-  painter.text(screen.font, kValue, kValueAt, screen.value);
+  Painter(canvas).text(screen.font, kLabel, {16, 48},
+                       u8"\uE001 Living \u5BA2\u5385");
+  screen.value.draw(canvas);
   return canvas.status();
 }
 
@@ -60,18 +59,18 @@ static Status run() {
   display.width = display.height = 240;
   display.inverted = true;  // as on most of these panels
   INKCELL_TRY(init(display));
-  Screen screen;
-  INKCELL_TRY(Font::open(fonts::room, screen.font));
+  Font font;
+  INKCELL_TRY(Font::open(fonts::room, font));
+  Screen screen = {font, ValueLabel(font, kValue, {16, 150})};
   StripLoop loop = loop_over(display, strips[0], strips[1]);
   loop.context = &screen;
   loop.draw = draw;
-  Rect changed = {0, 0, loop.width, loop.height};
+  screen.value.set(read_temperature());
+  INKCELL_TRY(run_strips(loop));
   for (;;) {
-    screen.value = read_temperature();
-    const Rect box = Painter().box(screen.font, kValue, kValueAt, screen.value);
-    INKCELL_TRY(run_strips(loop, bounding_box(changed, box)));
-    changed = box;
     wait_ms(nullptr, 1000);
+    const Rect changed = screen.value.set(read_temperature());
+    INKCELL_TRY(run_strips(loop, changed));
   }
 }
 

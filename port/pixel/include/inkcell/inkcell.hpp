@@ -1,4 +1,5 @@
-// All that a first program needs: fonts, styles, the painter and canvases.
+// All that a first program needs: fonts, styles, the painter and canvases, the
+// loop over strips, and values that change.
 //
 //   Font font;
 //   INKCELL_TRY(Font::open(fonts::dejavu_sans, font));
@@ -10,6 +11,7 @@
 #pragma once
 
 #include "inkcell/font.hpp"
+#include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/grey2.hpp"
@@ -19,5 +21,7 @@
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/strip_loop.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/style.hpp"
+#include "inkcell/value_label.hpp"

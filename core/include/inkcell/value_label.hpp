@@ -1,0 +1,64 @@
+// A text that changes in place, such as a measured value: which pixels are to
+// be drawn and sent again.
+//
+//   ValueLabel value(font, style, {16, 150});
+//   for (;;) {
+//     const Rect changed = value.set(NumberText(read_tenths(), 1));
+//     INKCELL_TRY(port::run_strips(loop, changed));
+//   }
+//
+// where the loop's `draw` paints the background first, then value.draw(canvas).
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/geometry.hpp"
+#include "inkcell/painter.hpp"
+
+namespace inkcell {
+
+/// What of a line stands at its origin.
+enum class Anchor : uint8_t { start, middle, end };
+
+/// Keeps its text, and the box of it. Font and style must outlive it. Lines of
+/// a style that is turned are anchored at their start.
+class ValueLabel {
+ public:
+  /// The longest text. [bytes]
+  static constexpr size_t kMostBytes = 31;
+
+  /// An empty text.
+  ValueLabel(const Font& font,
+             const Style& style,
+             Point origin,
+             Anchor anchor = Anchor::start) noexcept
+      : font_(&font), style_(&style), origin_(origin), anchor_(anchor) {}
+
+  /// Copies a text; one over kMostBytes is cut after a whole character. Returns
+  /// the pixels of the old and of the new text, with filter, fitting and
+  /// effect: those to draw and to send. Empty if the text is the same.
+  /// `painter` is the one that draws, if it has a cache, whose glyphs may be
+  /// drawn up to a pixel off.
+  Rect set(Text text, const Painter& painter = {}) noexcept;
+
+  /// Draws the text. The background is the caller's.
+  void draw(const Painter& painter) const noexcept;
+
+  Text text() const noexcept { return {bytes_, size_}; }
+  /// The pixels of the text.
+  const Rect& box() const noexcept { return box_; }
+
+ private:
+  Point place() const noexcept;
+
+  const Font* font_;
+  const Style* style_;
+  Point origin_;
+  Rect box_;
+  Anchor anchor_;
+  uint8_t size_ = 0;
+  char bytes_[kMostBytes];
+};
+
+}  // namespace inkcell

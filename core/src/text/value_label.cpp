@@ -1,0 +1,53 @@
+#include "inkcell/value_label.hpp"
+
+namespace inkcell {
+namespace {
+
+// `text` as far as it has room. UTF-8 has at most 3 bytes that continue a
+// character.
+Text cut(Text text) noexcept {
+  if (text.size > ValueLabel::kMostBytes) {
+    text.size = ValueLabel::kMostBytes;
+    for (int32_t i = 0; i < 3 && (text.data[text.size] & 0xc0) == 0x80; ++i) {
+      --text.size;
+    }
+  }
+  return text;
+}
+
+bool equal(Text a, Text b) noexcept {
+  return a.size == b.size && __builtin_memcmp(a.data, b.data, a.size) == 0;
+}
+
+}  // namespace
+
+Point ValueLabel::place() const noexcept {
+  Point place = origin_;
+  if (anchor_ != Anchor::start && style_->is_upright()) {
+    TextCursor cursor(*font_, text(), *style_);
+    PositionedGlyph glyph;
+    while (cursor.next(glyph)) {
+    }
+    const int32_t width = to_px(*font_, *style_, cursor.advance()).raw;
+    place.x.raw -= anchor_ == Anchor::end ? width : width / 2;
+  }
+  return place;
+}
+
+Rect ValueLabel::set(Text text, const Painter& painter) noexcept {
+  text = cut(text);
+  if (equal(text, this->text())) {
+    return {};
+  }
+  __builtin_memcpy(bytes_, text.data, text.size);
+  size_ = static_cast<uint8_t>(text.size);
+  const Rect before = box_;
+  box_ = painter.box(*font_, *style_, place(), this->text());
+  return bounding_box(before, box_);
+}
+
+void ValueLabel::draw(const Painter& painter) const noexcept {
+  painter.text(*font_, *style_, place(), text());
+}
+
+}  // namespace inkcell

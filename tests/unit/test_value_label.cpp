@@ -1,0 +1,162 @@
+// Values that change: what is drawn and sent again makes the screen that a full
+// redraw makes.
+#include "inkcell/value_label.hpp"
+
+#include "check.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/port/grey8.hpp"
+#include "inkcell/port/strip_loop.hpp"
+#include "inkcell/stroke.hpp"
+#include "outline_record.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kWidth = 120;
+constexpr int32_t kHeight = 50;
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+
+Font sample_font() {
+  Font font;
+  const size_t size =
+      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
+  CHECK_OK(Font::open({font_bytes, size}, font));
+  return font;
+}
+
+uint8_t screens[2][kHeight][kWidth];
+uint8_t buffer[8 * kWidth];
+
+struct Screen {
+  const ValueLabel& value;
+  uint8_t (&pixels)[kHeight][kWidth];
+  int32_t sent = 0;
+
+  static Status draw(void* context, const Strip& strip) {
+    const auto& screen = *static_cast<const Screen*>(context);
+    // A picture.
+    for (int32_t y = 0; y < strip.height; ++y) {
+      for (int32_t x = 0; x < strip.width; ++x) {
+        strip.pixels[static_cast<size_t>(y * strip.stride + x)] =
+            static_cast<uint8_t>((strip.x0 + x) * 5 ^ (strip.y0 + y) * 3);
+      }
+    }
+    const port::Grey8Canvas canvas(strip);
+    screen.value.draw(canvas);
+    return canvas.status();
+  }
+  static Status flush(void* display, const Strip& strip) {
+    auto& screen = *static_cast<Screen*>(display);
+    for (int32_t y = 0; y < strip.height; ++y) {
+      for (int32_t x = 0; x < strip.width; ++x) {
+        screen.pixels[strip.y0 + y][strip.x0 + x] =
+            strip.pixels[static_cast<size_t>(y * strip.stride + x)];
+      }
+    }
+    screen.sent += strip.width * strip.height;
+    return Status::ok;
+  }
+};
+
+// Draws a part of a screen; returns the pixels that were sent.
+int32_t show(const ValueLabel& value, int32_t number, const Rect& part) {
+  Screen screen = {value, screens[number]};
+  port::StripLoop loop;
+  loop.buffer = buffer;
+  loop.format = port::PixelFormat::grey8;
+  loop.width = kWidth;
+  loop.height = kHeight;
+  loop.context = &screen;
+  loop.draw = Screen::draw;
+  loop.display = &screen;
+  loop.flush = Screen::flush;
+  CHECK_OK(run_strips(loop, part));
+  return screen.sent;
+}
+
+constexpr Rect kAll = {0, 0, kWidth, kHeight};
+
+bool are_equal() {
+  return __builtin_memcmp(screens[0], screens[1], sizeof screens[0]) == 0;
+}
+
+void check_changes(const Font& font, const Style& style, Anchor anchor) {
+  constexpr const char* kTexts[] = {"AD", "FADE", "D", "", "EAF"};
+  ValueLabel value(font, style, {60, 34}, anchor);
+  show(value, 0, kAll);
+  for (const char* const text : kTexts) {
+    const Rect changed = value.set(text);
+    CHECK(!is_empty(changed));
+    const int32_t sent = show(value, 0, changed);
+    CHECK(sent > 0 && sent < kWidth * kHeight / 2);
+    show(value, 1, kAll);
+    CHECK(are_equal());
+  }
+}
+
+TEST(a_change_makes_the_screen_of_a_full_redraw) {
+  const Font font = sample_font();
+  Style style(20_px);
+  check_changes(font, style, Anchor::start);
+  check_changes(font, style, Anchor::middle);
+  check_changes(font, style, Anchor::end);
+  const Stroke stroke(kFilterText, Q6_10::from_int(2));
+  style.set_effect(stroke);
+  check_changes(font, style, Anchor::end);
+  Style small(12_px);
+  FitOptions options;
+  options.across = true;
+  Fit fit;
+  CHECK_OK(Fit::make(font, small, options, fit));
+  small.set_fit(fit);
+  check_changes(font, small, Anchor::end);
+}
+
+TEST(values_stand_at_their_anchor) {
+  const Font font = sample_font();
+  const Style style(20_px);
+  const int32_t width = Painter::measure(font, style, "AD").advance.raw;
+  struct {
+    Anchor anchor;
+    int32_t left;
+  } const anchors[] = {
+      {Anchor::start, 0}, {Anchor::middle, width / 2}, {Anchor::end, width}};
+  for (const auto& at : anchors) {
+    ValueLabel value(font, style, {60, 34}, at.anchor);
+    const Rect changed = value.set("AD");
+    const Rect box = Painter().box(
+        font, style, {Q26_6::from_raw(60 * 64 - at.left), 34_px}, "AD");
+    CHECK_EQ(changed.x0, box.x0);
+    CHECK_EQ(changed.x1, box.x1);
+    CHECK_EQ(value.box().y0, box.y0);
+  }
+}
+
+TEST(nothing_changes_if_the_text_is_the_same) {
+  const Font font = sample_font();
+  const Style style(20_px);
+  ValueLabel value(font, style, {10, 30});
+  CHECK(is_empty(value.set("")));
+  char text[] = "AD";
+  CHECK(!is_empty(value.set(text)));
+  CHECK(is_empty(value.set("AD")));
+  text[1] = 'E';  // the label has a copy
+  CHECK(value.text().data[1] == 'D');
+  CHECK(!is_empty(value.set(text)));
+}
+
+TEST(long_texts_are_cut_after_a_character) {
+  const Font font = sample_font();
+  const Style style(20_px);
+  ValueLabel value(font, style, {10, 30});
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"));
+  CHECK_EQ(value.text().size, 31);
+  CHECK(is_empty(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAB")));
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20ac"));
+  CHECK_EQ(value.text().size, 29);
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20acA"));
+  CHECK_EQ(value.text().size, 31);
+}
+
+}  // namespace
