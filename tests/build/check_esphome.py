@@ -1,0 +1,143 @@
+"""Checks the external component of ESPHome.
+
+A font prints on a display what a painter prints on a canvas, with headers of
+ESPHome that are played; so is its configuration in Python. Where
+INKCELL_ESPHOME_DIR names ESPHome's sources, the component is compiled against
+them, too.
+
+Usage: check_esphome.py WORK_FOLDER BUILD_FOLDER FONTGEN
+"""
+import asyncio
+import os
+import pathlib
+import shutil
+import sys
+import types
+
+from toolchains import ROOT, finish, run
+
+FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+COMPONENT = ROOT / "port/esphome/components/inkcell"
+HERE = ROOT / "tests/build/esphome"
+SOURCES = [HERE / "test_font.cpp", COMPONENT / "inkcell_font.cpp"]
+LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
+
+
+class Anything:
+    """Any attribute, called with anything, is the like."""
+
+    def __getattr__(self, name):
+        return self
+
+    def __call__(self, *_, **__):
+        return self
+
+
+class Codegen(Anything):
+    """esphome.codegen, which notes what the component asks for."""
+
+    def __init__(self):
+        self.arrays, self.fonts, self.libraries = [], [], set()
+
+    def progmem_array(self, name, values):
+        self.arrays.append(bytes(values))
+        return name
+
+    def new_Pvariable(self, *arguments):
+        self.fonts.append(arguments)
+
+    def add_library(self, *arguments):
+        self.libraries.add(arguments)
+
+
+class Validation(Anything):
+    class Invalid(Exception):
+        pass
+
+
+def load_component():
+    """The component's Python with modules of ESPHome that are played."""
+    codegen = Codegen()
+    core = types.SimpleNamespace(
+        CORE=types.SimpleNamespace(relative_config_path=pathlib.Path),
+        HexInt=int)
+    const = types.SimpleNamespace(CONF_FILE="file", CONF_GLYPHS="glyphs",
+                                  CONF_ID="id", CONF_RAW_DATA_ID="raw",
+                                  CONF_SIZE="size")
+    modules = {"esphome": types.ModuleType("esphome"), "esphome.codegen": codegen,
+               "esphome.config_validation": Validation(),
+               "esphome.const": const, "esphome.core": core}
+    modules["esphome"].codegen = codegen
+    modules["esphome"].config_validation = modules["esphome.config_validation"]
+    sys.modules.update(modules)
+    path = COMPONENT / "__init__.py"
+    module = {"__file__": str(path), "__name__": "inkcell"}
+    # The schema is what real ESPHome checks; here any dictionary will do.
+    Validation.Schema = staticmethod(dict)
+    Validation.Required = Validation.Optional = staticmethod(
+        lambda name, default=None: name)
+    Validation.GenerateID = staticmethod(lambda name: name)
+    exec(compile(path.read_text(), str(path), "exec"), module)
+    return module, codegen
+
+
+def check_python(fontgen):
+    """Problems of the code that the component generates."""
+    module, codegen = load_component()
+    fonts = [{"id": name, "file": str(FONT), "size": size, "glyphs": "0123",
+              "levels": levels, "fontgen": str(fontgen), "raw": f"rom_{name}"}
+             for name, size, levels in (("small", 14, 256), ("large", 80.5, 2))]
+    for config in fonts:
+        asyncio.run(module["to_code"](config))
+    problems = []
+    if len(codegen.arrays) != 1 or codegen.arrays[0][:4] != b"INKC":
+        problems.append(f"two sizes of one font make {len(codegen.arrays)} arrays")
+    size = len(codegen.arrays[0])
+    wanted = [("small", "rom_small", size, 14 * 64, False),
+              ("large", "rom_small", size, 5152, True)]
+    if codegen.fonts != wanted:
+        problems.append(f"fonts are {codegen.fonts}, not {wanted}")
+    if codegen.libraries != {("Inkcell", None, f"symlink://{ROOT}")}:
+        problems.append(f"libraries are {codegen.libraries}")
+    try:
+        asyncio.run(module["to_code"]({**fonts[0], "fontgen": "no-such-program"}))
+        problems.append("a generator that is not there is no error")
+    except Validation.Invalid as error:
+        if "PATH" not in str(error):
+            problems.append(f"no remedy: {error}")
+    return problems
+
+
+def main():
+    work, build, fontgen = (pathlib.Path(word).resolve()
+                            for word in sys.argv[1:])
+    shutil.rmtree(work, ignore_errors=True)
+    (work / "fonts").mkdir(parents=True)
+    problems = check_python(fontgen)
+    made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E,0xB0", "--name=sans",
+                "--quiet", f"--out={work / 'fonts/sans.hpp'}"])
+    includes = [f"-I{path}" for path in
+                (work, COMPONENT, ROOT / "core/include",
+                 ROOT / "port/pixel/include")]
+    command = ["g++", "-std=gnu++20", "-w", "-fno-exceptions", *includes]
+    program = work / "test_font"
+    result = made if made.returncode != 0 else run(
+        [*command, f"-I{HERE / 'played'}", *SOURCES,
+         *(build / name for name in LIBRARIES), "-o", program])
+    if result.returncode == 0:
+        result = run([program])
+        print(result.stdout, end="")
+    if result.returncode != 0:
+        problems.append(result.stdout)
+    given = os.environ.get("INKCELL_ESPHOME_DIR")
+    print("headers of ESPHome: played (INKCELL_ESPHOME_DIR names its sources)"
+          if given is None else f"headers of ESPHome: played, and {given}")
+    for source in SOURCES if given is not None else []:
+        result = run([*command, "-DREAL_ESPHOME", f"-I{HERE / 'defines'}",
+                      f"-I{given}", "-fsyntax-only", source])
+        if result.returncode != 0:
+            problems.append(result.stdout)
+    finish(2 if given is None else 4, problems)
+
+
+main()

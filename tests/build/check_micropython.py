@@ -1,0 +1,90 @@
+"""Checks the module of MicroPython.
+
+It is compiled against played headers. Where INKCELL_MICROPYTHON_DIR names
+MicroPython's sources, the unix port is built with it, too, and a script draws into
+buffers of framebuf, which must equal those of the interface for C.
+
+Usage: check_micropython.py WORK_FOLDER BUILD_FOLDER FONTGEN
+"""
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+from toolchains import C_WARNINGS, ROOT, finish, run
+
+FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+MODULE = ROOT / "port/micropython/inkcell/inkcell_module.c"
+HERE = ROOT / "tests/build/micropython"
+LIBRARIES = ["port/c/libinkcell_port_c.a", "port/display/libinkcell_port_display.a",
+             "port/pixel/libinkcell_port_pixel.a",
+             "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
+             "core/field/libinkcell_field.a", "core/libinkcell_core.a"]
+# Parts of the unix port that need more than its own sources.
+WITHOUT = ["MICROPY_PY_BTREE=0", "MICROPY_PY_SSL=0", "MICROPY_SSL_MBEDTLS=0",
+           "MICROPY_PY_FFI=0", "MICROPY_PY_THREAD=0", "MICROPY_PY_SOCKET=0",
+           "FROZEN_MANIFEST="]
+# What draw.py must say, but for its counts of pixels.
+SAID = ["inkcell: bad_magic", "inkcell: buffer_small", "inkcell: unsupported",
+        "inkcell: bad_argument"]
+
+
+def check_played(work):
+    names = sorted(set(re.findall(r"MP_QSTR_\w+", MODULE.read_text())))
+    (work / "qstrs.h").write_text("enum { " + ", ".join(names) + " };\n")
+    result = run(["gcc", *C_WARNINGS, "-Wno-pedantic", "-fsyntax-only",
+                  f"-I{work}", f"-I{HERE / 'played'}",
+                  f"-I{ROOT / 'port/c/include'}", MODULE])
+    return [result.stdout] if result.returncode != 0 else []
+
+
+def check_real(sources, work, build, fontgen):
+    """Problems of a MicroPython with the module."""
+    program = work / "build/micropython"
+    expected = work / "expected"
+    font = work / "sans.bin"
+    for command in (
+            ["make", "-C", sources / "ports/unix", f"-j{os.cpu_count()}",
+             "VARIANT=standard", *WITHOUT, f"BUILD={work / 'build'}",
+             f"USER_C_MODULES={ROOT / 'port/micropython'}"],
+            [fontgen, f"--font={FONT}", "--symbols=0123456789.\u00b0CA ",
+             "--name=sans", "--format=bin", "--quiet", f"--out={font}"],
+            ["gcc", "-std=c99", f"-I{ROOT / 'port/c/include'}",
+             HERE / "expected.c", *(build / name for name in LIBRARIES), "-o",
+             expected],
+            [expected, font, work / "wanted"]):
+        result = run(command)
+        if result.returncode != 0:
+            return [" ".join(map(str, command)) + "\n" + result.stdout[-3000:]]
+    shown = run([program, ROOT / "port/micropython/example.py"], cwd=work)
+    if shown.returncode != 0:
+        return [f"example.py: {shown.stdout}"]
+    drawn = run([program, HERE / "draw.py", font, work / "drawn"])
+    print(drawn.stdout, end="")
+    problems = [f"draw.py does not say {words}" for words in SAID
+                if words not in drawn.stdout]
+    counts = re.findall(r"^(\w+) (\d+)$", drawn.stdout, re.M)
+    if len(counts) != 6 or any(int(count) < 100 for _, count in counts):
+        problems.append(f"draw.py: {drawn.stdout}")
+    elif (work / "drawn").read_bytes() != (work / "wanted").read_bytes():
+        problems.append("MicroPython draws something else than C")
+    return problems
+
+
+def main():
+    work, build, fontgen = (pathlib.Path(word).resolve()
+                            for word in sys.argv[1:])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    problems = check_played(work)
+    given = os.environ.get("INKCELL_MICROPYTHON_DIR")
+    if given is None:
+        print("MicroPython: played (INKCELL_MICROPYTHON_DIR names its sources)")
+        finish(1, problems)
+    print(f"MicroPython: {given}")
+    problems += check_real(pathlib.Path(given), work, build, fontgen)
+    finish(2, problems)
+
+
+main()
