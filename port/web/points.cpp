@@ -26,12 +26,12 @@ bool put_points(const Font& font, uint16_t glyph, Numbers& out) {
   detail::OutlineGlyph outline;
   detail::InkEnds ink[2];
   bool is_mirrored = false;
-  if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink,
+  if (!outline.find(font, glyph, Q26_6::from_int(1024), nullptr, ink,
                     is_mirrored)) {
     return false;
   }
   Rect box;
-  outline.place({0, 0}, BandPlan(), 0, ink, box);
+  outline.find_box({0, 0}, BandPlan(), 0, ink, box);
   const int32_t left_q8 = detail::first_column(box) * 256;
   const int32_t top_q8 = box.y0 * 256;
   outline.rewind();

@@ -4,9 +4,10 @@
 //   import framebuf, inkcell
 //   rgb = bytearray(240 * 60 * 2)
 //   paper = framebuf.FrameBuffer(rgb, 240, 60, framebuf.RGB565)
-//   sans = inkcell.Font(open("sans.bin", "rb").read())  # inkcell-fontgen
-//   --format bin sans.text(rgb, 240, 60, framebuf.RGB565, "21.5 °C", 4, 44, 40,
-//   0xFFFF) width = sans.width("21.5 °C", 40)
+//   # By inkcell-fontgen --format bin:
+//   sans = inkcell.Font(open("sans.bin", "rb").read())
+//   sans.text(rgb, 240, 60, framebuf.RGB565, "21.5", 4, 44, 40, 0xFFFF)
+//   width = sans.width("21.5", 40)
 //
 // (x, y) is the left end of the baseline. Text is fitted to the grid of pixels,
 // unless fit=False; size and position may be floats. RGB565 has the low byte
