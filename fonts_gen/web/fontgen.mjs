@@ -30,7 +30,7 @@ export async function runFontgen(factory, module, files, args, progress, disk) {
   let line = '';
   FS.getStream(2).tty.ops = {
     put_char(_, byte) {
-      line += String.fromCharCode(byte);
+      line += String.fromCharCode(byte & 255);
       const bar = /^\r\[.*\] (\d+)\/(\d+) .*\x1b\[K$/.exec(line);
       if (bar) {
         progress?.(Number(bar[1]), Number(bar[2]));
@@ -38,7 +38,8 @@ export async function runFontgen(factory, module, files, args, progress, disk) {
       } else if (line.endsWith('\r\x1b[K')) {
         line = line.slice(0, -4);
       } else if (byte === 10) {
-        texts.err += decodeURIComponent(escape(line));
+        texts.err += new TextDecoder().decode(
+          Uint8Array.from(line, (char) => char.charCodeAt(0)));
         line = '';
       }
     },
@@ -55,7 +56,8 @@ export async function runFontgen(factory, module, files, args, progress, disk) {
   let code = 1;
   try {
     code = program.callMain(['--threads', '1', ...args]);
-  } catch (error) {
+  } catch (thrown) {
+    const error = /** @type {any} */ (thrown);
     if (error?.name !== 'ExitStatus') throw error;
     code = error.status;
   }

@@ -17,7 +17,7 @@ export function drawClock(core, screen, now, size, top, still) {
   const colon = Math.round(size * 0.3);
   const height = Math.round(size * 0.74) + 4;
   const box = {width: digit, height, baseline: height - 2};
-  const look = {size, colour: screen.clockInk};
+  const look = {size, colour: screen.kind.clockInk};
   let x = Math.round((screen.width - 6 * digit - 2 * colon) / 2);
   for (let i = 0; i < 6; ++i) {
     if (i === 2 || i === 4) {

@@ -105,6 +105,7 @@ async function convert(page) {
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
     (report.coding === 'outline' ? ' The displays above show it.' : '');
   $('result').dataset.seconds = seconds.toFixed(2);
+  $('result').dataset.count = `${Number($('result').dataset.count ?? 0) + 1}`;
 }
 
 /** @param {Page} page */

@@ -39,7 +39,7 @@ export const valueOf = (control) =>
 /** @param {any} control */
 const usualOf = (control) => control.dataset.usual ??
   (control.type === 'checkbox' ? (control.defaultChecked ? 'on' : 'off')
-    : control.matches('select') ? control.options[0].value : control.defaultValue);
+    : control.matches('select') ? control.options[0]?.value ?? '' : control.defaultValue);
 
 /** @param {any} control @param {string} value */
 function setValue(control, value) {

@@ -9,7 +9,7 @@
 /**
  * One run of the program.
  * @param {Worker} worker
- * @param {{module: WebAssembly.Module, files: Files, args: string[]}} job
+ * @param {{module: WebAssembly.Module | null, files: Files, args: string[]}} job
  * @param {Progress} progress
  * @returns {Promise<Result>}
  */
@@ -29,7 +29,9 @@ export class Generator {
    * @param {number} count of workers
    */
   constructor(program, script, count) {
-    Object.assign(this, {program, script, count});
+    this.program = program;
+    this.script = script;
+    this.count = count;
     /** @type {Worker[]} */
     this.workers = [];
     /** @type {Promise<WebAssembly.Module> | null} */
@@ -74,10 +76,10 @@ export class Generator {
       await first();
       return this.run(files, [...args, ...outs], (done, count) => progress(done / count));
     }
-    const known = Object.entries(this.built)
-      .map(([name, bytes]) => [`known-${name}`, bytes]);
-    const inputs = {...files, ...Object.fromEntries(known)};
-    const built = known.flatMap(([name]) => ['--built', name]);
+    const known = Object.fromEntries(Object.entries(this.built)
+      .map(([name, bytes]) => [`known-${name}`, bytes]));
+    const inputs = {...files, ...known};
+    const built = Object.keys(known).flatMap((name) => ['--built', name]);
     const count = this.count === 1 ? 1 : 2 * this.count;
     const shares = Array(count).fill(0);
     /** @type {Files} */

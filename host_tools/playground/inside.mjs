@@ -39,6 +39,7 @@ export function startInside(core) {
   /** @type {CanvasRenderingContext2D} */
   const context = canvas.getContext('2d');
   const small = new OffscreenCanvas(POINTS, POINTS);
+  const pixels = /** @type {OffscreenCanvasRenderingContext2D} */ (small.getContext('2d'));
   const probe = {column: POINTS / 2, row: POINTS / 2};
   /** @type {any} */
   let field = null;
@@ -160,7 +161,7 @@ export function startInside(core) {
     const step = field.side / POINTS;
     const {points} = field;
     const [showField, showCells] = [$('distances').checked, $('cells').checked];
-    small.getContext('2d').putImageData(picture(POINTS, (column, row) => {
+    pixels.putImageData(picture(POINTS, (column, row) => {
       const p = 4 * (row * POINTS + column);
       const distance = points[p] / 1024;
       const colour = showField ? colourOf(distance, step)

@@ -51,7 +51,9 @@ export function argumentsOf(names, screenText) {
   }
   names.filter(isIcon).forEach((name, i) =>
     add('--svg', `${name}=0x${(0xE000 + i).toString(16).toUpperCase()}`));
-  for (const /** @type {any} */ axis of document.querySelectorAll('#axes input')) {
+  /** @type {NodeListOf<HTMLInputElement>} */
+  const axes = document.querySelectorAll('#axes input');
+  for (const axis of axes) {
     if (axis.value !== axis.dataset.usual) add('--axis', `${axis.dataset.tag}=${axis.value}`);
   }
   if ($('min').value !== '8') add('--min-px', $('min').value);

@@ -57,7 +57,7 @@ function draw() {
     $('note').textContent = fontBytes === usual && /[^ -~]/.test($('text').value)
       ? 'The built-in font has ASCII alone: convert one of yours below for more.' : '';
   } catch (error) {
-    $('note').textContent = error.message;
+    $('note').textContent = /** @type {Error} */ (error).message;
   }
   for (const screen of Object.values(screens)) {
     screen.canvas.setAttribute('aria-label', `${$('text').value}, ${Math.round(size)} px`);
@@ -153,7 +153,9 @@ for (const control of document.querySelectorAll('#try [data-keep]')) {
   });
 }
 function showValues() {
-  for (const output of document.querySelectorAll('.look output')) {
+  /** @type {NodeListOf<HTMLOutputElement>} */
+  const outputs = document.querySelectorAll('.look output');
+  for (const output of outputs) {
     const control = $(output.htmlFor.value);
     output.textContent = control.value + control.dataset.unit;
   }
@@ -179,6 +181,6 @@ startConverter({
   show: setFont,
 });
 keepOffline();
-document.body.dataset.ready = Math.round(performance.now());
+document.body.dataset.ready = `${Math.round(performance.now())}`;
 if (!still.matches && !location.hash) sweep();
 tick();

@@ -4,28 +4,44 @@ import {Display} from '../../port/web/inkcell.mjs';
 const LINE = 1.17;  // of the size, from baseline to baseline
 const ASCENT = 0.93;
 
+/**
+ * Colours are as the format has them.
+ * @typedef {object} Kind
+ * @property {string} format
+ * @property {number} width
+ * @property {number} height
+ * @property {number} ink
+ * @property {number} glow
+ * @property {number} paper
+ * @property {string} gap between pixels, in CSS
+ * @property {number} [clockInk]
+ * @property {(rgb: number[]) => number[]} [tint] how the panel shows a colour
+ */
+
 export class Screen {
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {{format: string, width: number, height: number, ink: number,
-   *   glow: number, paper: number, levels?: number,
-   *   tint?: (rgb: number[]) => number[]}} kind colours as the format has them
+   * @param {Kind} kind
    */
   constructor(canvas, kind) {
-    Object.assign(this, {canvas, ...kind});
+    this.canvas = canvas;
+    this.kind = kind;
+    this.width = kind.width;
+    this.height = kind.height;
     this.display = new Display(kind.format, kind.width, kind.height);
     this.small = new OffscreenCanvas(kind.width, kind.height);
+    this.pixels = this.small.getContext('2d');
     // The bytes of each colour, as an image has them.
     this.palette = Uint32Array.from({length: 2 ** this.display.bits}, (_, word) => {
       const rgb = this.display.colour(word);
-      const [red, green, blue] = this.tint ? this.tint(rgb) : rgb;
+      const [red, green, blue] = kind.tint ? kind.tint(rgb) : rgb;
       return 0xff000000 | blue << 16 | green << 8 | red;
     });
   }
 
   clear() {
-    const {display, paper} = this;
-    if (this.format === 'rgb565') {
+    const {display, kind: {format, paper}} = this;
+    if (format === 'rgb565') {
       const word = paper >> 8 & 0xf800 | paper >> 5 & 0x7e0 | paper >> 3 & 31;
       for (let i = 0; i < display.pixels.length; i += 2) {
         display.pixels[i] = word & 255;
@@ -38,7 +54,7 @@ export class Screen {
 
   /** What suits this display of a style that is meant for all. */
   fitted(look, colour) {
-    const oneBit = this.format === 'mono-pages';
+    const oneBit = this.kind.format === 'mono-pages';
     const crisp = oneBit && look.fit !== 'none' && !look.angle &&
       look.effect === 'none';
     return {...look, colour, levels: oneBit ? 2 : 0,
@@ -62,21 +78,21 @@ export class Screen {
         Math.round(middle - x * Math.sin(turn) + y * Math.cos(turn))];
     };
     if (look.glow) {
-      this.display.kind = this.format === 'rgb565' ? 0 : 1;
-      const soft = {...this.fitted({...look, effect: 'none'}, this.glow),
+      this.display.kind = this.kind.format === 'rgb565' ? 0 : 1;
+      const soft = {...this.fitted({...look, effect: 'none'}, this.kind.glow),
         filter: 'glow', weight: look.glow, fit: 'none'};
       lines.forEach((line, i) =>
         core.draw(this.display, soft, line, ...place(line, i)));
       this.display.kind = 0;
     }
-    const sharp = this.fitted(look, this.ink);
+    const sharp = this.fitted(look, this.kind.ink);
     lines.forEach((line, i) =>
       core.draw(this.display, sharp, line, ...place(line, i)));
   }
 
   /** Copies the memory of the display to the canvas. */
   show() {
-    const {canvas, display, small, width, height} = this;
+    const {canvas, display, small, pixels, width, height} = this;
     const image = new ImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
     for (let y = 0; y < height; ++y) {
@@ -84,7 +100,7 @@ export class Screen {
         words[y * width + x] = this.palette[display.word(x, y)];
       }
     }
-    small.getContext('2d').putImageData(image, 0, 0);
+    pixels?.putImageData(image, 0, 0);
     const zoom = this.zoom();
     if (canvas.width !== width * zoom) {
       canvas.width = width * zoom;
@@ -92,13 +108,14 @@ export class Screen {
       canvas.style.width = `${width * zoom / devicePixelRatio}px`;
     }
     const context = canvas.getContext('2d');
+    if (!context) return;
     context.imageSmoothingEnabled = false;
     context.drawImage(small, 0, 0, canvas.width, canvas.height);
     if (zoom > 1) this.drawGrid(context, zoom);
   }
 
   zoom() {
-    const bezel = this.canvas.parentElement;
+    const bezel = /** @type {HTMLElement} */ (this.canvas.parentElement);
     const room = (bezel.clientWidth - 2 * parseFloat(getComputedStyle(bezel).paddingLeft)) *
       devicePixelRatio;
     const most = Math.ceil(4 * devicePixelRatio);
@@ -108,7 +125,7 @@ export class Screen {
   drawGrid(context, zoom) {
     const {width, height} = this.canvas;
     const gap = Math.max(1, Math.round(zoom / 8));
-    context.fillStyle = this.gap;
+    context.fillStyle = this.kind.gap;
     context.globalAlpha = zoom > 2 ? 1 : 0.15;
     for (let x = zoom - gap; x < width; x += zoom) context.fillRect(x, 0, gap, height);
     for (let y = zoom - gap; y < height; y += zoom) context.fillRect(0, y, width, gap);

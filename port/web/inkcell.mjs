@@ -45,8 +45,13 @@ export class Display {
     const number = FORMATS.indexOf(format);
     const pages = format === 'mono-pages';
     const row = pages ? width : Math.ceil(width * BITS[number] / 8);
-    Object.assign(this, {format: number, bits: BITS[number], kind: KINDS.indexOf(kind), width,
-      height, row, pages});
+    this.format = number;
+    this.bits = BITS[number];
+    this.kind = KINDS.indexOf(kind);
+    this.width = width;
+    this.height = height;
+    this.row = row;
+    this.pages = pages;
     this.pixels = new Uint8Array(row * (pages ? Math.ceil(height / 8) : height));
   }
 

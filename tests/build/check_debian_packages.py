@@ -9,6 +9,8 @@ they start, modules that they import.
 Then each package is taken out of its list, and a file must be missed.
 
 Usage: check_debian_packages.py <work folder> <build folder of the host>
+       check_debian_packages.py --web <folder that host_tools/playground/build.sh
+                                       has filled>
 
 Exits with 77 where there is no dpkg.
 """
@@ -369,6 +371,31 @@ def tests_evidence(host):
     return found
 
 
+def web_evidence(folder):
+    """What host_tools/playground/build.sh finds."""
+    found = Evidence(folder)
+    for part in ("generator", "core"):
+        found.add_cache(folder / part)
+    # Where LLVM's tools have no links, CMake takes GNU's of these names.
+    found.files = {re.sub(r"/bin/llvm-(\w+)$", r"/bin/\1", path): source
+                   for path, source in found.files.items()}
+    found.files.pop("/usr/bin/dlltool", None)  # of Windows
+    found.add_ninja(folder / "generator", ["inkcell-fontgen"])
+    found.add_ninja(folder / "core", ["inkcell_web"])
+    for link in (folder / "generator/include").iterdir():
+        found.add(str(link.resolve()), "fonts_gen/web/CMakeLists.txt")
+    toolchain = ROOT / "port/web/toolchain.cmake"
+    for word in re.findall(r"_COMPILER (\S+)\)", toolchain.read_text()):
+        found.add(program(word), "port/web/toolchain.cmake")
+    script = ROOT / "host_tools/playground/build.sh"
+    scripts = [script, *scripts_from([script.read_text()], modules=False)]
+    found.add_scripts(scripts)
+    texts = {str(path.relative_to(ROOT)): path.read_text() for path in
+             [*scripts, *(ROOT / "fonts_gen/web").glob("*.txt")]}
+    found.add_shared(texts)
+    return found
+
+
 def missing(packages, owned, listed):
     """Packages of files that a list does not bring along, each with one file."""
     there = packages.closure(listed)
@@ -412,6 +439,10 @@ def main():
     if shutil.which("dpkg-query") is None:
         print("skipped: there is no dpkg, whose packages would be checked")
         sys.exit(77)
+    if sys.argv[1] == "--web":
+        folder = pathlib.Path(sys.argv[2]).resolve()
+        finish(*check(Packages(), "web", web_evidence(folder)))
+        return
     work, host = (pathlib.Path(name).resolve() for name in sys.argv[1:])
     packages = Packages()
     passed, problems = check(packages, "demo", demo_evidence(work, host))

@@ -51,6 +51,8 @@ both([`--font=${at}/Sans.ttf`, '--strings-from', 'deep/*.c', '--quiet', '--out',
   'a.hpp');
 both(['--font', `../project/Sans.ttf`, ...quick, '--out', 'a.hpp', '--depfile', 'a.d'],
   ['a.hpp', 'a.d']);
+assert.match(both(['--font', 'Sans.ttf', '--symbols', 'a永', '--quiet', '--out', 'a.bin'],
+  'a.bin').stderr, /U\+6C38 '永'/);
 const report = both(['--font', 'Sans.ttf', '--symbols', 'Ag', '--out', 'a.bin'], 'a.bin');
 assert.match(report.stdout, /total/);
 const help = both(['--help']);
