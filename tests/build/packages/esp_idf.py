@@ -5,6 +5,12 @@ from toolchains import ROOT
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES CXX)
 set(ESP_PLATFORM 1)
+# As if this were the oldest CMake of ESP-IDF 5.
+function(cmake_minimum_required word version)
+  if(version VERSION_GREATER 3.22)
+    message(FATAL_ERROR "CMake ${version} is asked for")
+  endif()
+endfunction()
 foreach(option IN LISTS MORE)
   set(CONFIG_${option} y)
 endforeach()

@@ -1,0 +1,94 @@
+"""Runs the examples of ESP-IDF and Zephyr on the host, with headers that are
+played: the panel must show the picture of the whole screen.
+
+Where INKCELL_IDF_DIR names ESP-IDF's sources, its example is compiled with their
+headers for ESP32-S3, too; FreeRTOS stays played.
+
+Usage: check_samples.py WORK_FOLDER BUILD_FOLDER FONTGEN
+"""
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+from toolchains import ROOT, finish, run
+
+FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+HERE = ROOT / "tests/build"
+SAMPLES = {"esp_idf": ROOT / "port/esp_idf/example/main",
+           "zephyr": ROOT / "port/zephyr/sample/src"}
+LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
+INCLUDES = [f"-I{ROOT / 'core/include'}", f"-I{ROOT / 'port/pixel/include'}"]
+
+
+def check_sample(name, work, build):
+    folder = SAMPLES[name]
+    program = work / name
+    result = run(["g++", "-std=gnu++17", "-Wall", "-Wextra", "-Werror",
+                  f"-I{work}", f"-I{folder}", f"-I{HERE / name / 'played'}",
+                  *INCLUDES, HERE / name / "run.cpp",
+                  *(build / library for library in LIBRARIES), "-o", program])
+    if result.returncode == 0:
+        result = run([program])
+        print(f"{name}:\n{result.stdout}", end="")
+    return [f"{name}: {result.stdout}"] if result.returncode != 0 else []
+
+
+def check_idf(idf, work):
+    """Problems of ESP-IDF's example with its headers."""
+    (work / "sdkconfig.h").write_text("#define CONFIG_IDF_TARGET_ESP32S3 1\n")
+    folders = [path for part in sorted((idf / "components").iterdir())
+               for path in (part / "include", part / "esp32s3/include")
+               if path.is_dir() and part.name != "freertos"]
+    result = run(["g++", "-std=gnu++17", "-w", "-fsyntax-only", "-DESP_PLATFORM",
+                  "-include", work / "sdkconfig.h", f"-I{work}", *INCLUDES,
+                  *(f"-I{path}" for path in folders),
+                  f"-I{idf / 'components/soc/esp32s3/register'}",
+                  f"-I{HERE / 'esp_idf/played'}",
+                  SAMPLES["esp_idf"] / "main.cpp"])
+    return [result.stdout[:3000]] if result.returncode != 0 else []
+
+
+def check_zephyr():
+    """Problems of what the sample's configuration names: its options are those of
+    the module's Kconfig and of Zephyr's README line, and the overlay chooses the
+    display that it describes."""
+    folder = SAMPLES["zephyr"].parent
+    options = set(re.findall(r"^(CONFIG_\w+)=y$",
+                             (folder / "prj.conf").read_text(), re.M))
+    problems = [f"prj.conf lacks {option}=y" for option in
+                ("CONFIG_INKCELL", "CONFIG_CPP", "CONFIG_STD_CPP17",
+                 "CONFIG_DISPLAY") if option not in options]
+    for overlay in (folder / "boards").iterdir():
+        text = overlay.read_text()
+        chosen = re.search(r"zephyr,display = &(\w+);", text)
+        if chosen is None or f"{chosen.group(1)}: " not in text:
+            problems.append(f"{overlay} chooses no display of its own")
+        if text.count("{") != text.count("}"):
+            problems.append(f"{overlay}: braces do not match")
+    return problems
+
+
+def main():
+    work, build, fontgen = (pathlib.Path(word).resolve()
+                            for word in sys.argv[1:])
+    shutil.rmtree(work, ignore_errors=True)
+    (work / "fonts").mkdir(parents=True)
+    made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E", "--name=room",
+                "--quiet", f"--out={work / 'fonts/room.hpp'}"])
+    if made.returncode != 0:
+        finish(0, [made.stdout])
+    problems = check_zephyr()
+    for name in SAMPLES:
+        problems += check_sample(name, work, build)
+    given = os.environ.get("INKCELL_IDF_DIR")
+    if given is None:
+        print("headers of ESP-IDF: played (INKCELL_IDF_DIR names its sources)")
+    else:
+        print(f"headers of ESP-IDF: played, and {given}")
+        problems += check_idf(pathlib.Path(given), work)
+    finish(len(SAMPLES) + 1 + (given is not None), problems)
+
+
+main()

@@ -1,0 +1,4 @@
+// Likewise.
+#pragma once
+
+#define DMA_ATTR alignas(4)

@@ -1,0 +1,6 @@
+// Likewise.
+#pragma once
+
+#include "freertos/FreeRTOS.h"
+
+void vTaskDelay(TickType_t);

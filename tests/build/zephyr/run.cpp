@@ -1,0 +1,70 @@
+// Runs the sample of Zephyr twice around: the panel must show the picture of
+// the whole screen.
+#include <stdio.h>
+#include <stdlib.h>
+
+#define main sample_main
+#include "main.cpp"
+#undef main
+
+const struct device chosen_zephyr_display = {0};
+static uint16_t panel[240 * 240], wanted[240 * 240];
+static int pixels_sent = 0;
+
+bool device_is_ready(const struct device*) {
+  return true;
+}
+void display_get_capabilities(const struct device*,
+                              struct display_capabilities* out) {
+  out->x_resolution = out->y_resolution = 240;
+}
+int display_blanking_off(const struct device*) {
+  return 0;
+}
+int display_write(const struct device*,
+                  uint16_t x,
+                  uint16_t y,
+                  const struct display_buffer_descriptor* rows,
+                  const void* from) {
+  const auto* const bytes = static_cast<const uint8_t*>(from);
+  for (int i = 0; i < rows->width * rows->height; ++i, ++pixels_sent) {
+    const int row = i / rows->width;
+    const int column = i % rows->width;
+    const int byte = 2 * (row * rows->pitch + column);
+    if (static_cast<uint32_t>(byte) + 1 >= rows->buf_size) {
+      return -22;
+    }
+    panel[(y + row) * 240 + x + column] =
+        static_cast<uint16_t>(bytes[byte] << 8 | bytes[byte + 1]);
+  }
+  return 0;
+}
+
+int32_t k_msleep(int32_t) {
+  static int round_number = 0;
+  Screen screen;
+  const bool is_open = Font::open(fonts::room, screen.font) == Status::ok;
+  screen.value = read_temperature();
+  const Strip whole = {
+      {reinterpret_cast<uint8_t*>(wanted), sizeof wanted}, 0, 0, 240, 240, 480};
+  const bool is_drawn = draw(&screen, whole) == Status::ok;
+  int others = 0;
+  int inked = 0;
+  for (int i = 0; i < 240 * 240; ++i) {
+    others += panel[i] != wanted[i];
+    inked += wanted[i] != kPaper;
+  }
+  printf("%d pixels sent, %d with ink, %d differ\n", pixels_sent, inked,
+         others);
+  if (!is_open || !is_drawn || others != 0 || inked < 1000) {
+    exit(1);
+  }
+  if (++round_number == 2) {
+    exit(pixels_sent > 240 * 240 + 240 * 240 / 3);
+  }
+  return 0;
+}
+
+int main() {
+  return sample_main() - 1000;
+}
