@@ -356,7 +356,7 @@ TEST(ink_may_overhang_a_box) {
   box.rect.y1 = 8 + size.height.floor();
   CHECK_EQ(box.rect.x1, 6);
   CHECK_EQ(box.rect.y1, 12);
-  Picture<20, 20> whole, boxed, cut;
+  static Picture<20, 20> whole, boxed, cut;
   inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
   box.draw("A", boxed.sink());
   CHECK(ink_of(whole) > 26 * 255);
@@ -495,7 +495,7 @@ TEST(a_label_that_fits_is_not_cut) {
   PositionedGlyph room[8];
   ScrollingLabel label;
   CHECK_OK(ScrollingLabel::make(options, "A", {3, 8, 6, 12}, room, label));
-  Picture<20, 20> whole, drawn, scrolled;
+  static Picture<20, 20> whole, drawn, scrolled;
   inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
   label.draw({}, drawn.sink());
   CHECK_EQ(ink_of(whole), ink_of(drawn));

@@ -1,7 +1,8 @@
-// Rectangles and strips.
+// Rectangles, strips, and what changed on the screen.
 #include "inkcell/strip.hpp"
 
 #include "check.hpp"
+#include "inkcell/dirty_rects.hpp"
 
 using namespace inkcell;
 
@@ -38,4 +39,41 @@ TEST(a_bounding_box_holds_both) {
   // An empty one adds nothing, wherever it lies.
   CHECK(equal(bounding_box(a, {90, 90, 90, 95}), a));
   CHECK(equal(bounding_box({90, 90, 95, 80}, a), a));
+}
+
+constexpr Rect kScreen = {0, 0, 100, 100};
+
+TEST(what_changed_is_cut_to_the_screen) {
+  Rect room[2];
+  DirtyRects dirty(room);
+  dirty.add({90, 90, 110, 120}, kScreen);
+  dirty.add({100, 0, 120, 10}, kScreen);
+  CHECK_EQ(dirty.rects().size, 1);
+  CHECK(equal(dirty.rects()[0], {90, 90, 100, 100}));
+  dirty.clear();
+  CHECK_EQ(dirty.rects().size, 0);
+}
+
+TEST(rectangles_that_are_close_become_one) {
+  Rect room[3];
+  DirtyRects dirty(room);
+  dirty.add({0, 0, 10, 10}, kScreen);
+  dirty.add({50, 50, 60, 60}, kScreen);
+  CHECK_EQ(dirty.rects().size, 2);
+  dirty.add({5, 2, 12, 8}, kScreen);     // overlaps the first
+  dirty.add({60, 50, 70, 60}, kScreen);  // ends where the second ends
+  CHECK_EQ(dirty.rects().size, 2);
+  int32_t found = 0;
+  for (const Rect& rect : dirty.rects()) {
+    found += equal(rect, {0, 0, 12, 10}) ? 1 : 0;
+    found += equal(rect, {50, 50, 70, 60}) ? 2 : 0;
+  }
+  CHECK_EQ(found, 3);
+  // Without room the pair that wastes least is merged.
+  dirty.add({0, 90, 5, 95}, kScreen);
+  dirty.add({90, 0, 95, 5}, kScreen);
+  CHECK_EQ(dirty.rects().size, 3);
+  DirtyRects none({});
+  none.add({0, 0, 10, 10}, kScreen);
+  CHECK_EQ(none.rects().size, 0);
 }
