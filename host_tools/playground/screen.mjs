@@ -55,10 +55,10 @@ export class Screen {
   /** What suits this display of a style that is meant for all. */
   fitted(look, colour) {
     const oneBit = this.kind.format === 'mono-pages';
-    const crisp = oneBit && look.fit !== 'none' && !look.angle &&
+    const bilevel = oneBit && look.fit !== 'none' && !look.angle &&
       look.effect === 'none';
     return {...look, colour, levels: oneBit ? 2 : 0,
-      effect: crisp ? 'crisp' : look.effect};
+      effect: bilevel ? 'bilevel' : look.effect};
   }
 
   /** Draws text in the middle of the rows [top, bottom), over several lines. */

@@ -339,11 +339,11 @@ Image draw_levels(const Font& font) {
   };
   Bilevel bilevel;
   add("1 bit, threshold alone", nullptr, 128);
-  add("1 bit, crisp", &bilevel, 0);
+  add("1 bit, bilevel", &bilevel, 0);
   bilevel.threshold_px = to_q10(-0.15);
-  add("1 bit, crisp, bolder by 0.15 px", &bilevel, 0);
+  add("1 bit, bilevel, bolder by 0.15 px", &bilevel, 0);
   bilevel = Bilevel(4);
-  add("2 bits, crisp", &bilevel, 0);
+  add("2 bits, bilevel", &bilevel, 0);
   sheet.add(
       "1 bit, over a dithered shadow", kWhite,
       [&](Image& image) { draw_shadow_in_1_bit(font, image); }, 36);

@@ -306,7 +306,7 @@ class InkcellPrint : public Print {
   inkcell::LayoutOptions options() const { return {font_, style_}; }
 
   inkcell::Q26_6 width_of(inkcell::Text text) const {
-    return inkcell::Painter::measure(font_, style_, text).advance;
+    return inkcell::Painter().measure(font_, style_, text).advance;
   }
 
   // Whether a text, less the spaces that end it, has room in the line.

@@ -12,7 +12,7 @@ export const KINDS = ['plain', 'dithered', 'sub-pixels'];
 export const FILTERS = ['text', 'motion', 'paper-display', 'paper-body', 'area',
   'shadow', 'glow'];
 export const FITS = ['none', 'heights', 'across'];
-export const EFFECTS = ['none', 'outline', 'crisp', 'edge-contrast',
+export const EFFECTS = ['none', 'outline', 'bilevel', 'edge-contrast',
   'supersampling'];
 const STATUS = ['ok', 'bad magic', 'bad version', 'corrupt', 'no glyph',
   'buffer small', 'misaligned', 'unsupported', 'bad argument', 'beyond band'];

@@ -7,7 +7,7 @@ typedef struct {
   inkcell_filter_table_t table;
   inkcell_outline_t outline;
   inkcell_fit_t fit;
-  inkcell_crisp_options_t crisp;
+  inkcell_bilevel_options_t bilevel;
   inkcell_edge_contrast_t contrast;
   inkcell_supersampling_t supersampling;
   inkcell_lcd_options_t lcd;
@@ -39,11 +39,11 @@ static void set_effect(const web_job_t* job, Look* look) {
     inkcell_style_set_lcd(&look->style, &look->lcd);
   } else if (job->effect == WEB_OUTLINE) {
     inkcell_style_set_outline(&look->style, &look->outline);
-  } else if (job->effect == WEB_CRISP) {
-    look->crisp = (inkcell_crisp_options_t){
-        2, job->fit == WEB_FIT_ACROSS ? inkcell_fit_crisp_weight(&look->fit)
+  } else if (job->effect == WEB_BILEVEL) {
+    look->bilevel = (inkcell_bilevel_options_t){
+        2, job->fit == WEB_FIT_ACROSS ? inkcell_fit_bilevel_weight(&look->fit)
                                       : (int16_t)0};
-    inkcell_style_set_crisp(&look->style, &look->crisp);
+    inkcell_style_set_bilevel(&look->style, &look->bilevel);
   } else if (job->effect == WEB_EDGE_CONTRAST) {
     look->contrast = (inkcell_edge_contrast_t){90, 96};
     inkcell_style_set_edge_contrast(&look->style, &look->contrast);

@@ -20,6 +20,8 @@ TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
 QEMU = ROOT / "boards/common/qemu_run.sh"
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
+# The most code of the smallest program of 1 bit. [bytes]
+MOST_LEAST = 15900
 # What the table may be off by. [bytes]
 SPREAD = {"code": 100, "constants": 100, "RAM": 50, "stack": 32}
 
@@ -115,11 +117,21 @@ def main():
          f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}", "-DCMAKE_BUILD_TYPE=MinSizeRel",
          f"-DINKCELL_FONTGEN={fontgen}")
     call("cmake", "--build", work, "--target",
-         *(program.name for program in programs))
+         *(program.name for program in programs), "least_oled")
+    least = sizes_of(work / "least_oled.elf")
+    print("smallest program of 1 bit: " +
+          ", ".join(f"{what} {size}" for what, size in least.items()))
+    said_least = re.search(r"fits them ([\d.]+) KB of code",
+                           (ROOT / "README.md").read_text())
+    if least["code"] > MOST_LEAST:
+        problems.append(f"least_oled.cpp: {least['code']} bytes of code; "
+                        f"{MOST_LEAST} are allowed")
+    if abs(float(said_least.group(1)) * 1000 - least["code"]) > 100:
+        problems.append(f"README.md: {said_least.group(0)}, not {least['code']}")
     screens = {}
     for program in programs:
         problems += check(program, work, said, screens)
-    finish(len(programs) + 1, problems)
+    finish(len(programs) + 2, problems)
 
 
 main()

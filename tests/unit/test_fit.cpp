@@ -201,7 +201,9 @@ TEST(heights_can_be_fitted_alone) {
   GlyphWarp warp = {};
   GlyphMetrics metrics;
   CHECK_OK(font.glyph_metrics(two, metrics));
-  kFitHeights.fit(two, metrics, &fit, origin, warp);
+  Style style = style_of(10 * 64);
+  style.set_fitter(&kFitHeights, &fit);
+  kFitHeights.fit(font, style, two, metrics, origin, warp);
   CHECK_EQ(origin.x_q10, 300);
   CHECK_EQ(origin.y_q10, 1024);
   CHECK_EQ(warp.x.count, 0);
@@ -209,8 +211,8 @@ TEST(heights_can_be_fitted_alone) {
   for (int32_t i = 0; i != warp.y.count; ++i) {
     CHECK_EQ(warp.y.knots[i].to_q8, both.y.knots[i].to_q8);
   }
-  CHECK(!kFitHeights.has_advances(&fit));
-  CHECK(kGridFit.has_advances(&fit));
+  CHECK(!kFitHeights.has_advances(style));
+  CHECK(kGridFit.has_advances(style));
 }
 
 TEST(a_fit_can_be_made_again) {

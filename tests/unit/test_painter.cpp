@@ -242,13 +242,13 @@ TEST(measures_in_pixels_are_those_in_units) {
   const Font font = sample_font();
   const Style style = style_of(20);
   const TextMeasure units = measure(font, "AF");
-  const PixelMeasure px = Painter::measure(font, style, "AF");
+  const PixelMeasure px = Painter().measure(font, style, "AF");
   CHECK(units.advance > 0 && units.y_max > 0 && units.x_min > 0);
   CHECK_EQ(px.advance.raw, to_px(font, style, units.advance).raw);
   CHECK_EQ(px.left.raw, to_px(font, style, units.x_min).raw);
   CHECK_EQ(px.right.raw, to_px(font, style, units.x_max).raw);
   CHECK_EQ(px.top.raw, to_px(font, style, -units.y_max).raw);
   CHECK_EQ(px.bottom.raw, to_px(font, style, -units.y_min).raw);
-  const PixelMeasure none = Painter::measure(font, style, "");
+  const PixelMeasure none = Painter().measure(font, style, "");
   CHECK(none.advance.raw == 0 && none.left.raw == none.right.raw);
 }

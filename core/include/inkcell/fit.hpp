@@ -52,6 +52,12 @@ extern const Fitter kGridFit;
 /// does nothing, and no advances are whole pixels.
 extern const Fitter kFitHeights;
 
+/// FitOptions{true, 2} and {true, 4} without a Fit, and without options: hints
+/// are read anew for each glyph, and text of 40 px and more stays as designed.
+/// Canvases of 1 and 2 bits take them by themselves (few_levels.hpp).
+extern const Fitter kFitTwoLevels;
+extern const Fitter kFitFourLevels;
+
 /// A font's hints at one size. Made once, constant afterwards, in the caller's
 /// memory. The font's bytes must outlive it. For styles of the same size and
 /// for glyphs of this font: others are drawn with the wrong hints.
@@ -89,14 +95,13 @@ class Fit {
            uint16_t glyph,
            FinePoint& origin,
            GlyphWarp& warp) const noexcept {
-    GlyphMetrics metrics;
-    static_cast<void>(font.glyph_metrics(glyph, metrics));
-    kGridFit.fit(glyph, metrics, this, origin, warp);
+    kGridFit.fit(font, style_of(*this), glyph, metrics_of(font, glyph), origin,
+                 warp);
   }
 
   /// The advance of a glyph in whole pixels, with has_advances().
   int32_t advance_px(const Font& font, uint16_t glyph) const noexcept {
-    return kGridFit.advance_px(font, glyph, this);
+    return kGridFit.advance_px(font, style_of(*this), glyph);
   }
 
  private:
@@ -108,6 +113,16 @@ class Fit {
     int16_t flat_q6;  // [px]
     int16_t round_q6;
   };
+
+  static Style style_of(const Fit& fit) noexcept {
+    return Style().set_fitter(&kGridFit, &fit);
+  }
+  static GlyphMetrics metrics_of(const Font& font, uint16_t glyph) noexcept {
+    GlyphMetrics metrics;
+    static_cast<void>(font.glyph_metrics(glyph, metrics));
+    return metrics;
+  }
+  void set(const Font& font, Q26_6 size, const FitOptions& options) noexcept;
 
   // As designed, and as the x-height is scaled. [u -> px, Q6]
   int32_t px_q6(int32_t u) const noexcept {

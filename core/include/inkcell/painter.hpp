@@ -55,6 +55,10 @@ extern const Sink kNoSink;
 /// as cheap to make as to keep. The sink, the RAM and the cache must outlive
 /// it. For one task at a time.
 ///
+/// On canvases of 1 and 2 bits text() and box() of a text fit it to the grid of
+/// pixels if its style leaves that open (few_levels.hpp); what is laid out
+/// keeps its advances.
+///
 /// Drawing cannot fail: it clips, and glyphs that the font lacks are left out.
 /// A style that Font::check() refuses draws nothing; where INKCELL_ASSERT is
 /// compiled, it ends the program.
@@ -137,16 +141,22 @@ class Painter {
                  Point origin,
                  uint16_t glyph) const noexcept;
 
-  /// Width and ink of a line in px, with the advances of the style.
-  static PixelMeasure measure(const Font& font,
-                              const Style& style,
-                              Text text) noexcept {
-    return to_px(font, style, inkcell::measure(font, text, style));
-  }
+  /// Width and ink of a line in px, with the advances that text() takes.
+  PixelMeasure measure(const Font& font,
+                       const Style& style,
+                       Text text) const noexcept;
 
   const Sink& sink() const noexcept { return *sink_; }
   const Workspace& ram() const noexcept { return ram_; }
   const detail::GlyphDrawer& drawer() const noexcept { return *drawer_; }
+
+  /// What a style is drawn with here: Sink::adapt.
+  const Style& adapted(const Style& style,
+                       bool is_laid_out,
+                       Style& room) const noexcept {
+    return sink_->adapt == nullptr ? style
+                                   : sink_->adapt(style, is_laid_out, room);
+  }
 
  private:
   const Sink* sink_;

@@ -12,6 +12,8 @@
 
 namespace inkcell {
 
+class Style;
+
 /// The byte of a 16-bit pixel at the lower address.
 enum class ByteOrder : uint8_t { low_first, high_first };
 
@@ -83,6 +85,12 @@ struct Sink {
   /// multiple of 4. False, and nothing is drawn: the block comes as coverage.
   /// Null: never called.
   bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
+  /// Of sinks of few levels (few_levels.hpp): makes `room` the style that text
+  /// is drawn with here, of a given one, and returns it. `is_laid_out`:
+  /// advances must stay as they are. Null: text is drawn as its style says.
+  const Style& (*adapt)(const Style& given,
+                        bool is_laid_out,
+                        Style& room) noexcept = nullptr;
 };
 
 }  // namespace inkcell

@@ -20,22 +20,23 @@ struct GlyphMetrics;
 struct GlyphWarp;
 struct Sink;
 
-/// Grid fitting (fit.hpp has one). `options` is what Style::set_fitter was
-/// given.
+/// Grid fitting (fit.hpp has some). Styles are those that name it, with what
+/// Style::set_fitter was given as their fitter_options().
 struct Fitter {
   /// Fills in `warp` for a glyph of outlines and of an upright style whose
   /// origin is at `origin`, and may move the origin.
-  void (*fit)(uint16_t glyph,
+  void (*fit)(const Font& font,
+              const Style& style,
+              uint16_t glyph,
               const GlyphMetrics& metrics,
-              const void* options,
               FinePoint& origin,
               GlyphWarp& warp) noexcept;
   /// Whether fitted glyphs have advances of their own, in whole pixels.
-  bool (*has_advances)(const void* options) noexcept;
+  bool (*has_advances)(const Style& style) noexcept;
   /// Such an advance. [px]
   int32_t (*advance_px)(const Font& font,
-                        uint16_t glyph,
-                        const void* options) noexcept;
+                        const Style& style,
+                        uint16_t glyph) noexcept;
 };
 
 namespace detail {
@@ -118,10 +119,12 @@ class Style {
   Style(const Matrix&, const Filter&&) = delete;
 
   /// Fits glyphs of outlines to the grid of pixels, if the style is upright;
-  /// other styles ignore it. Fitter and options must outlive the style. Null,
-  /// the default: glyphs stay as designed. fit.hpp has set_fit().
+  /// other styles ignore it. Fitter and options must outlive the style. Null:
+  /// glyphs stay as designed. Before the first call the canvas decides: those
+  /// of 1 and 2 bits fit text (few_levels.hpp). fit.hpp has set_fit().
   constexpr Style& set_fitter(const Fitter* fitter,
                               const void* options) noexcept {
+    is_fit_open_ = false;
     if (is_upright()) {
       fitter_ = fitter;
       outline_fitter_ = &detail::kOutlineFitter;
@@ -134,6 +137,8 @@ class Style {
   Style& set_fit(const Fit&&) = delete;
 
   bool is_fitted() const noexcept { return fitter() != nullptr; }
+  /// Whether the canvas decides.
+  bool is_fit_open() const noexcept { return is_fit_open_; }
   const Fitter* fitter() const noexcept {
     return is_upright() ? fitter_ : nullptr;
   }
@@ -141,7 +146,7 @@ class Style {
 
   /// Whether the advances of glyphs are whole pixels, by fitting.
   bool has_whole_advances() const noexcept {
-    return is_fitted() && fitter_->has_advances(fitter_options_);
+    return is_fitted() && fitter_->has_advances(*this);
   }
 
   /// Sets the effect that draws the glyphs (effect.hpp), which must outlive the
@@ -230,6 +235,7 @@ class Style {
   int32_t limit_u_q10_ = 0;  // what 32 px are at this size
   uint16_t least_gain_q15_ = 1 << 15;
   bool is_slanted_ = false;
+  bool is_fit_open_ = true;
   GlyphStep right_ = {0, 0, 1 << 20, 0};
   GlyphStep up_ = {0, 0, 0, 1 << 20};
   Axes axes_;

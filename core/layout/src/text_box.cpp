@@ -170,10 +170,30 @@ __attribute__((always_inline)) inline void take_lines(
 
 }  // namespace
 
+namespace {
+
+// With the style that a sink of few levels draws the first face with.
+__attribute__((noinline)) void draw_adapted(const TextBox& box,
+                                            Text text,
+                                            const Sink& sink,
+                                            Workspace workspace) noexcept {
+  Style room;
+  TextBox own = box;
+  own.options.face.style = &sink.adapt(*box.options.face.style, false, room);
+  own.draw(text, sink, workspace);
+}
+
+}  // namespace
+
 void TextBox::draw(Text text,
                    const Sink& sink,
                    Workspace workspace,
                    Span<const TextLine> lines) const noexcept {
+  if (sink.adapt != nullptr && lines.data == nullptr &&
+      options.face.style->is_fit_open()) {
+    draw_adapted(*this, text, sink, workspace);
+    return;
+  }
   if (!is_empty(intersect(sink.window, clip))) {
     take_lines(*this, text, lines, sink.window, Drawing{sink, workspace});
   }

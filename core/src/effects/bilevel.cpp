@@ -106,10 +106,26 @@ class BilevelRow {
   // were fitted few pass between pixels, and rows come first: what they draw
   // keeps columns from drawing beside it.
   bool is_bridge(const uint8_t* at) const noexcept {
-    return stands_for_stroke(row_, at) ||
+    return is_dot(at) || stands_for_stroke(row_, at) ||
            (stands_for_stroke(column_, at) &&
             !(is_fitted_ && (stands_for_stroke(row_, at - column_.step) ||
                              stands_for_stroke(row_, at + column_.step))));
+  }
+
+  // Whether a pixel is nearer to the outline than all eight around it, none of
+  // them drawn or inside: the middle of a part of its own.
+  bool is_dot(const uint8_t* at) const noexcept {
+    const uint8_t* near = at - column_.step - 1;
+    for (int32_t i = 0; i != 9; ++i) {
+      // Of equal ones the first is the dot.
+      if ((*near & kInsideBit) != 0 || is_drawn(*near) ||
+          (*near & kNearnessMask) + (near < at ? 1u : 0u) >
+              (*at & kNearnessMask)) {
+        return false;
+      }
+      near += i % 3 == 2 ? column_.step - 2 : 1;
+    }
+    return true;
   }
 
   // Whether a pixel is in the middle of a stroke across a line that draws none

@@ -93,32 +93,38 @@ Status Fit::make(const Font& font,
     return Status::bad_argument;
   }
   INKCELL_TRY(GridHints::open(font, out.hints_));
-  out.is_across_ = false;
-  out.strength_q8_ = 0;
-  out.bilevel_weight_q10_ = 0;
-  const int32_t size_q6 = style.size().raw;
-  if (size_q6 >= kEnds.raw) {
-    return Status::ok;
+  out.set(font, style.size(), options);
+  return Status::ok;
+}
+
+// With the hints that were opened.
+void Fit::set(const Font& font,
+              Q26_6 size,
+              const FitOptions& options) noexcept {
+  is_across_ = false;
+  strength_q8_ = 0;
+  bilevel_weight_q10_ = 0;
+  size_q6_ = size.raw;
+  if (size.raw >= kEnds.raw) {
+    return;
   }
   uint32_t strength = options.strength_q8;
-  if (options.levels == 0 && size_q6 > kFades.raw) {
-    strength = strength * static_cast<uint32_t>(kEnds.raw - size_q6) /
+  if (options.levels == 0 && size.raw > kFades.raw) {
+    strength = strength * static_cast<uint32_t>(kEnds.raw - size.raw) /
                static_cast<uint32_t>(kEnds.raw - kFades.raw);
   }
   if (strength != 0) {
-    out.levels_ = options.levels;
-    out.is_across_ = options.across && !out.hints_.empty();
-    out.drops_serifs_ = options.levels == 2 && size_q6 < kSerifsFrom;
-    out.strength_q8_ = static_cast<uint16_t>(strength);
-    out.size_q6_ = size_q6;
-    out.u_per_unit_q14_ =
+    levels_ = options.levels;
+    is_across_ = options.across && !hints_.empty();
+    drops_serifs_ = options.levels == 2 && size.raw < kSerifsFrom;
+    strength_q8_ = static_cast<uint16_t>(strength);
+    u_per_unit_q14_ =
         static_cast<int32_t>((uint32_t{1024} << 14) / font.units_per_em());
-    out.stem_q6_ = out.px_q6(out.hints_.stem_width_u());
-    out.bar_q6_ = out.px_q6(out.hints_.bar_width_u());
-    out.set_zones();
-    out.set_weight();
+    stem_q6_ = px_q6(hints_.stem_width_u());
+    bar_q6_ = px_q6(hints_.bar_width_u());
+    set_zones();
+    set_weight();
   }
-  return Status::ok;
 }
 
 // A place to the nearest pixel.
@@ -131,12 +137,89 @@ __attribute__((noinline)) void Fit::to_grid(int64_t& at_q10) const noexcept {
 // The entry points of grid fitting.
 class GridFit {
  public:
-  static void fit(uint16_t glyph,
+  static void fit(const Font&,
+                  const Style& style,
+                  uint16_t glyph,
                   const GlyphMetrics& metrics,
-                  const void* options,
                   FinePoint& origin,
                   GlyphWarp& warp) noexcept {
-    const Fit& fit = *static_cast<const Fit*>(options);
+    fit_both(fit_of(style), glyph, metrics, origin, warp);
+  }
+
+  static void heights(const Font&,
+                      const Style& style,
+                      uint16_t glyph,
+                      const GlyphMetrics&,
+                      FinePoint& origin,
+                      GlyphWarp& warp) noexcept {
+    const Fit& fit = fit_of(style);
+    GlyphHints hints(fit.hints_, glyph);
+    fit_heights(fit, hints, origin, warp);
+  }
+
+  static bool has_advances(const Style& style) noexcept {
+    return fit_of(style).has_advances();
+  }
+  static bool has_none(const Style&) noexcept { return false; }
+
+  static int32_t advance_px(const Font& font,
+                            const Style& style,
+                            uint16_t glyph) noexcept {
+    return advance(fit_of(style), font, glyph);
+  }
+
+  // The same for displays of few levels.
+  template <uint8_t kLevels>
+  static void fit_levels(const Font& font,
+                         const Style& style,
+                         uint16_t glyph,
+                         const GlyphMetrics& metrics,
+                         FinePoint& origin,
+                         GlyphWarp& warp) noexcept {
+    Fit fit;
+    set(font, style, kLevels, fit);
+    // Of fonts without hints, too, as advances are whole.
+    fit.to_grid(origin.x_q10);
+    fit_both(fit, glyph, metrics, origin, warp);
+  }
+
+  static bool is_small(const Style& style) noexcept {
+    return style.size().raw < Fit::kEnds.raw;
+  }
+
+  template <uint8_t kLevels>
+  static int32_t level_advance_px(const Font& font,
+                                  const Style& style,
+                                  uint16_t glyph) noexcept {
+    Fit fit;
+    set(font, style, kLevels, fit);
+    return fit.is_across_
+               ? advance(fit, font, glyph)
+               : round_px(fit.px_q6(fit.u_of(font.advance(glyph)))) >> 6;
+  }
+
+ private:
+  static const Fit& fit_of(const Style& style) noexcept {
+    return *static_cast<const Fit*>(style.fitter_options());
+  }
+
+  // Broken hints are none.
+  __attribute__((noinline)) static void set(const Font& font,
+                                            const Style& style,
+                                            uint8_t levels,
+                                            Fit& fit) noexcept {
+    static_cast<void>(GridHints::open(font, fit.hints_));
+    FitOptions options;
+    options.across = true;
+    options.levels = levels;
+    fit.set(font, style.size(), options);
+  }
+
+  static void fit_both(const Fit& fit,
+                       uint16_t glyph,
+                       const GlyphMetrics& metrics,
+                       FinePoint& origin,
+                       GlyphWarp& warp) noexcept {
     GlyphHints hints(fit.hints_, glyph);
     fit_heights(fit, hints, origin, warp);
     if (fit.is_across_) {
@@ -145,35 +228,16 @@ class GridFit {
     }
   }
 
-  static void heights(uint16_t glyph,
-                      const GlyphMetrics&,
-                      const void* options,
-                      FinePoint& origin,
-                      GlyphWarp& warp) noexcept {
-    const Fit& fit = *static_cast<const Fit*>(options);
-    GlyphHints hints(fit.hints_, glyph);
-    fit_heights(fit, hints, origin, warp);
-  }
-
-  static bool has_advances(const void* options) noexcept {
-    return static_cast<const Fit*>(options)->has_advances();
-  }
-  static bool has_none(const void*) noexcept { return false; }
-
-  static int32_t advance_px(const Font& font,
-                            uint16_t glyph,
-                            const void* options) noexcept {
-    const Fit& fit = *static_cast<const Fit*>(options);
+  static int32_t advance(const Fit& fit,
+                         const Font& font,
+                         uint16_t glyph) noexcept {
     GlyphHints hints(fit.hints_, glyph);
     for (uint32_t i = hints.y_count(); i != 0; --i) {
       static_cast<void>(hints.next_y());
     }
-    GlyphMetrics metrics;
-    static_cast<void>(font.glyph_metrics(glyph, metrics));
-    return fit_across(fit, metrics, hints, nullptr) >> 6;
+    return fit_across(fit, Fit::metrics_of(font, glyph), hints, nullptr) >> 6;
   }
 
- private:
   // Separate frames, so that their stacks do not add up.
   __attribute__((noinline)) static void fit_heights(const Fit& fit,
                                                     GlyphHints& hints,
@@ -209,5 +273,9 @@ class GridFit {
 const Fitter kGridFit = {GridFit::fit, GridFit::has_advances,
                          GridFit::advance_px};
 const Fitter kFitHeights = {GridFit::heights, GridFit::has_none, nullptr};
+const Fitter kFitTwoLevels = {GridFit::fit_levels<2>, GridFit::is_small,
+                              GridFit::level_advance_px<2>};
+const Fitter kFitFourLevels = {GridFit::fit_levels<4>, GridFit::is_small,
+                               GridFit::level_advance_px<4>};
 
 }  // namespace inkcell

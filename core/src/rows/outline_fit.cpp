@@ -52,14 +52,14 @@ void move_ends(const AxisMap& map, int32_t sign, InkEnds& ends) noexcept {
 }
 
 bool fit_outline(OutlineJob& job,
+                 const Font& font,
                  uint16_t glyph,
                  Placed& placed,
                  InkEnds (&ink)[2]) noexcept {
   auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
   const Style& style = *job.style;
   FinePoint origin = placed.origin();
-  style.fitter()->fit(glyph, job.outline.metrics(), style.fitter_options(),
-                      origin, warp);
+  style.fitter()->fit(font, style, glyph, job.outline.metrics(), origin, warp);
   if ((warp.x.count | warp.y.count) != 0) {
     job.warp = &warp;
     move_ends(warp.x, 1, ink[0]);

@@ -10,6 +10,7 @@ namespace detail {
 struct OutlineFitter {
   // Makes the maps, and moves the glyph and its ink. False: it is too far away.
   bool (*fit)(OutlineJob& job,
+              const Font& font,
               uint16_t glyph,
               Placed& placed,
               InkEnds (&ink)[2]) noexcept;

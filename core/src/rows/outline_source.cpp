@@ -72,7 +72,7 @@ bool prepare_outline(GlyphJob& base,
   job.warp = nullptr;
   Placed placed = given;
   if (style.is_fitted() &&
-      !style.outline_fitter().fit(job, ref.glyph, placed, ink)) {
+      !style.outline_fitter().fit(job, font, ref.glyph, placed, ink)) {
     return false;
   }
   const BandPlan& plan = job.plan;

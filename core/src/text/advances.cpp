@@ -6,8 +6,7 @@ namespace inkcell {
 namespace detail {
 
 int32_t Advances::advance(uint16_t glyph) const noexcept {
-  return is_whole() ? style_->fitter()->advance_px(font_, glyph,
-                                                   style_->fitter_options())
+  return is_whole() ? style_->fitter()->advance_px(font_, *style_, glyph)
                     : font_.advance(glyph);
 }
 

@@ -9,6 +9,15 @@
 namespace inkcell {
 namespace detail {
 
+// Room for a style that the sink adapts.
+union StyleRoom {
+  StyleRoom() noexcept {}
+  Style& style() noexcept { return style_; }
+
+ private:
+  Style style_;
+};
+
 // What kDrawPlain does.
 void draw_plain(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
 

@@ -66,9 +66,11 @@ Status Font::check(const Style& style) const noexcept {
 }
 
 void Painter::text(const Font& font,
-                   const Style& style,
+                   const Style& given,
                    Point origin,
                    Text text) const noexcept {
+  detail::StyleRoom room;
+  const Style& style = adapted(given, false, room.style());
   const UnitScale scale(font, style);
   TextCursor cursor(font, text, style);
   if (cursor.is_in_whole_px()) {
@@ -91,7 +93,8 @@ void Painter::glyphs(const Face& face,
   INKCELL_ASSERT(face.font != nullptr && face.style != nullptr);
   const UnitScale scale(*face.font, *face.style);
   origin = run_origin(*face.style, origin);
-  GlyphRun run = {*this, face.font, face.style};
+  detail::StyleRoom room;
+  GlyphRun run = {*this, face.font, &adapted(*face.style, true, room.style())};
   uint32_t drawn_face = 0;
   Placed placed;
   for (const PositionedGlyph& at : glyphs) {
@@ -103,7 +106,7 @@ void Painter::glyphs(const Face& face,
       INKCELL_ASSERT(own.font != nullptr && own.style != nullptr);
       drawn_face = at.face;
       run.font = own.font;
-      run.style = own.style;
+      run.style = &adapted(*own.style, true, room.style());
       run.state = 0;
     }
     if (place_near(scale, *face.style, origin, at, placed)) {
@@ -113,9 +116,11 @@ void Painter::glyphs(const Face& face,
 }
 
 void Painter::glyph(const Font& font,
-                    const Style& style,
+                    const Style& given,
                     Point origin,
                     uint16_t glyph) const noexcept {
+  detail::StyleRoom room;
+  const Style& style = adapted(given, false, room.style());
   Placed placed;
   if (placed.set(origin)) {
     GlyphRun run = {*this, &font, &style};
@@ -153,10 +158,20 @@ Rect Painter::box(const Face& face,
   return sum;
 }
 
+PixelMeasure Painter::measure(const Font& font,
+                              const Style& given,
+                              Text text) const noexcept {
+  detail::StyleRoom room;
+  const Style& style = adapted(given, false, room.style());
+  return to_px(font, style, inkcell::measure(font, text, style));
+}
+
 Rect Painter::glyph_box(const Font& font,
-                        const Style& style,
+                        const Style& given,
                         Point origin,
                         uint16_t glyph) const noexcept {
+  detail::StyleRoom room;
+  const Style& style = adapted(given, false, room.style());
   Placed placed;
   return placed.set(origin)
              ? detail::box_of({*this, &font, &style}, glyph, placed)

@@ -2,6 +2,7 @@
 
 #include "inkcell/painter.hpp"
 #include "text/advances.hpp"
+#include "text/glyph_run.hpp"
 #include "text/text_place.hpp"
 
 namespace inkcell {
@@ -156,9 +157,11 @@ TextMeasure measure(const Font& font,
 
 // Here, so that text without runs does not link their cursor.
 void Painter::text(const Font& font,
-                   const Style& style,
+                   const Style& given,
                    Point origin,
                    const ShapedRun& run) const noexcept {
+  detail::StyleRoom room;
+  const Style& style = adapted(given, false, room.style());
   const detail::UnitScale scale(font, style);
   RunCursor cursor(font, style);
   origin = detail::run_origin(style, origin);

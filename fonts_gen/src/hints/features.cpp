@@ -1,6 +1,7 @@
 #include "hints/features.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hints/serifs.hpp"
@@ -80,6 +81,58 @@ bool is_symmetric(const Border& border) {
   return ink > 0 && ink - mirrored < kAsymmetry * ink;
 }
 
+// The box of a closed line; empty if it bounds a counter, which lies to its
+// right.
+Box ink_box(const std::vector<Point>& line) {
+  Box box = {line[0].x, line[0].y, line[0].x, line[0].y};
+  double twice_area = 0;
+  Point last = line.back();
+  for (const Point& point : line) {
+    box = {std::min(box.x0, point.x), std::min(box.y0, point.y),
+           std::max(box.x1, point.x), std::max(box.y1, point.y)};
+    twice_area += last.x * point.y - last.y * point.x;
+    last = point;
+  }
+  return twice_area > 0 ? box : Box();
+}
+
+// Dots, accents and the like have edges that are too short for strokes: if a
+// part is as thin as a stroke and has none, it is one.
+void add_part(const Interval& place,
+              double length,
+              double most_length,
+              std::vector<Stroke>& strokes) {
+  const bool is_thin = place.length() > 0 && place.length() <= kThickestStroke;
+  const bool is_free =
+      std::none_of(strokes.begin(), strokes.end(), [&](const Stroke& other) {
+        return other.low < place.high && place.low < other.high;
+      });
+  if (!is_thin || !is_free || length > most_length) {
+    return;
+  }
+  Stroke stroke;
+  stroke.low = place.low;
+  stroke.high = place.high;
+  stroke.is_round = true;
+  stroke.facing = length;
+  strokes.insert(std::upper_bound(strokes.begin(), strokes.end(), stroke,
+                                  [](const Stroke& a, const Stroke& b) {
+                                    return a.low < b.low;
+                                  }),
+                 stroke);
+}
+
+void add_small_parts(const Border& border, GlyphFeatures& features) {
+  for (const std::vector<Point>& line : border.lines()) {
+    const Box box = ink_box(line);
+    const Interval x = {box.x0, box.x1};
+    const Interval y = {box.y0, box.y1};
+    add_part(y, x.length(), HUGE_VAL, features.bars);
+    // Taller parts may lean.
+    add_part(x, y.length(), kThickestStroke, features.stems);
+  }
+}
+
 }  // namespace
 
 GlyphFeatures find_features(const Outline& outline) {
@@ -101,6 +154,7 @@ GlyphFeatures find_features(const Outline& outline) {
   features.bars = std::move(bars.strokes);
   features.lone_edges = std::move(bars.lone);
   features.stems = find_stems(border);
+  add_small_parts(border, features);
   features.body = find_body(border, features);
   features.is_symmetric = is_symmetric(border);
   return features;

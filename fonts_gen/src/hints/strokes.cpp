@@ -6,9 +6,8 @@
 namespace inkcell::gen {
 namespace {
 
-// Widths of strokes. [u]
+// Thinner pairs of edges are none. [u]
 constexpr double kThinnest = 5;
-constexpr double kThickestStroke = 165;
 
 // Facing edges overlap by at least this length [u], or this share of the
 // shorter one: inner edges of serifs are split by their stems, those of bends

@@ -7,6 +7,9 @@
 
 namespace inkcell::gen {
 
+/// Wider ones are no strokes. [u]
+constexpr double kThickestStroke = 165;
+
 /// A horizontal bar (positions on the y axis) or a vertical stem. [u]
 struct Stroke {
   enum class Kind { plain, serif, spine };

@@ -44,6 +44,7 @@ SAME_FIELD(inkcell_sink_t, solid, Sink, solid);
 SAME_FIELD(inkcell_sink_t, block, Sink, block);
 SAME_FIELD(inkcell_sink_t, coverage_rgb, Sink, coverage_rgb);
 SAME_FIELD(inkcell_sink_t, ramp, Sink, ramp);
+SAME_FIELD(inkcell_sink_t, adapt, Sink, adapt);
 SAME_VALUE(INKCELL_A8, port::PixelFormat::a8);
 SAME_VALUE(INKCELL_GREY8, port::PixelFormat::grey8);
 SAME_VALUE(INKCELL_GREY4, port::PixelFormat::grey4);

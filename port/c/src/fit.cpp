@@ -23,7 +23,7 @@ bool inkcell_fit_has_advances(const inkcell_fit_t* fit) {
   return ref(fit).has_advances();
 }
 
-int16_t inkcell_fit_crisp_weight(const inkcell_fit_t* fit) {
+int16_t inkcell_fit_bilevel_weight(const inkcell_fit_t* fit) {
   return ref(fit).bilevel_weight().raw;
 }
 
@@ -34,6 +34,12 @@ void inkcell_style_set_fit(inkcell_style_t* style, const inkcell_fit_t* fit) {
 void inkcell_style_set_fit_heights(inkcell_style_t* style,
                                    const inkcell_fit_t* fit) {
   ref(style).set_fitter(&kFitHeights, cpp(fit));
+}
+
+void inkcell_style_fit_levels(inkcell_style_t* style, uint8_t levels) {
+  ref(style).set_fitter(levels == 2 ? &kFitTwoLevels : &kFitFourLevels,
+      nullptr);
+  ref(style).set_effect(levels == 2 ? detail::kTwoLevels : detail::kFourLevels);
 }
 
 void inkcell_style_clear_fit(inkcell_style_t* style) {

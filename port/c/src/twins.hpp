@@ -5,6 +5,7 @@
 #include "inkcell/bilevel.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
 #include "inkcell/edge_contrast.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/field/circle_samples.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/splat.hpp"

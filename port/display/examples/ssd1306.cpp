@@ -7,9 +7,9 @@
 //   u8g2.begin()                         init(display)
 //   u8g2.clearBuffer()                   MonoPagesCanvas canvas(strip, 1, 0)
 //   u8g2.setDrawColor(0)                 canvas.set_level(0)
-//   u8g2.setFont(u8g2_font_helvR10_tf)   Style(12_px) with a Fit
+//   u8g2.setFont(u8g2_font_helvR10_tf)   MonoPagesCanvas::style(12_px)
 //   u8g2.drawUTF8(x, y, "A")             painter.text(font, style, {x, y}, "A")
-//   u8g2.getUTF8Width("A")               Painter::measure(font, style, "A")
+//   u8g2.getUTF8Width("A")               painter.measure(font, style, "A")
 //   u8g2.sendBuffer()                    run_strips(loop)
 //   u8g2.updateDisplayArea(0, 6, 16, 2)  run_strips(loop, {0, 48, 128, 64})
 //   firstPage() ... nextPage()           run_strips(): draws two pages a time
@@ -17,7 +17,6 @@
 //   drawUTF8(-scroll, y, title)          ScrollingLabel, which draws only the
 //                                        glyphs in its window
 #include <fonts/oled.hpp>
-#include <inkcell/fit.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/layout/label.hpp>
 #include <inkcell/layout/text_box.hpp>
@@ -65,13 +64,7 @@ static Status run() {
 
   Font font;
   INKCELL_TRY(Font::open(fonts::oled, font));
-  Style style(12_px);
-  FitOptions options;
-  options.across = true;
-  options.levels = 2;
-  Fit fit;
-  INKCELL_TRY(Fit::make(font, style, options, fit));
-  style.set_fit(fit);
+  const Style style = MonoPagesCanvas::style(12_px);
 
   Screen screen;
   screen.words = TextBox(font, style, {0, 0, kWidth, kTop}, Align::centre);

@@ -8,7 +8,7 @@
 //   display.init()                       init(display)
 //   display.fillScreen(GxEPD_WHITE)      MonoRowsCanvas canvas(strip, 0, 1)
 //   display.setTextColor(GxEPD_BLACK)    the 0 in it
-//   display.setFont(&FreeSans24pt7b)     Style(72_px); small text with a Fit
+//   display.setFont(&FreeSans24pt7b)     Style(72_px)
 //   display.setCursor(x, y); print("A")  painter.text(font, style, {x, y}, "A")
 //   display.setFullWindow()              EpaperRefresh::full
 //   display.setPartialWindow(x, y, w, h) run_strips() with that rectangle, and
@@ -16,7 +16,6 @@
 //   do ... while (display.nextPage())    run_strips(), write() and refresh()
 //   display.hibernate()                  sleep(display)
 #include <fonts/paper.hpp>
-#include <inkcell/fit.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/ssd1680.hpp>
@@ -56,13 +55,7 @@ static Status flush(void* context, const Strip& strip) {
 static Status run() {
   Font font;
   INKCELL_TRY(Font::open(fonts::paper, font));
-  Style label(20_px);  // fitted to the grid of pixels, as small text should be
-  FitOptions options;
-  options.across = true;
-  options.levels = 2;
-  Fit fit;
-  INKCELL_TRY(Fit::make(font, label, options, fit));
-  label.set_fit(fit);
+  constexpr Style label(20_px);
   Screen screen = {{}, {}, font, label, ValueLabel(font, kValue, {10, 120})};
   Ssd1680& display = screen.display;
   display.controller = EpaperController::ssd1681;

@@ -67,6 +67,7 @@ Status open_sink(Strip& strip,
   out.solid = kind.solid;
   out.block = kind.block;
   out.ramp = kind.ramp;
+  out.adapt = kind.adapt;
   return status;
 }
 

@@ -7,8 +7,17 @@ namespace inkcell {
 namespace port {
 namespace detail {
 
-const SinkKind Grey2Pixels::kKind =
-    kPackedGrey<Grey2Pixels, PixelFormat::grey2, 1>;
+namespace {
+
+constexpr SinkKind kind_of_grey2() noexcept {
+  SinkKind kind = kPackedGrey<Grey2Pixels, PixelFormat::grey2, 1>;
+  kind.adapt = inkcell::detail::adapt_to_four_levels;
+  return kind;
+}
+
+}  // namespace
+
+const SinkKind Grey2Pixels::kKind = kind_of_grey2();
 
 }  // namespace detail
 }  // namespace port

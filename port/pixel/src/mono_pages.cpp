@@ -77,7 +77,12 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::MonoPagesPixels::kKind = {
-    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::mono_pages)};
+    coverage,
+    solid,
+    nullptr,
+    nullptr,
+    layout_of(PixelFormat::mono_pages),
+    inkcell::detail::adapt_to_two_levels};
 
 }  // namespace port
 }  // namespace inkcell

@@ -92,7 +92,12 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::MonoRowsPixels::kKind = {
-    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::mono_rows)};
+    coverage,
+    solid,
+    nullptr,
+    nullptr,
+    layout_of(PixelFormat::mono_rows),
+    inkcell::detail::adapt_to_two_levels};
 
 }  // namespace port
 }  // namespace inkcell

@@ -113,8 +113,8 @@ constexpr Mode kModes[] = {
      [](Style& style) {
        return set_filter(style, glow_filter(Q6_10::from_int(4)));
      }},
-    {"crisp_1_bit", [](Style& style) { return set_bilevel(style, 2); }},
-    {"crisp_2_bits", [](Style& style) { return set_bilevel(style, 4); }},
+    {"bilevel_1_bit", [](Style& style) { return set_bilevel(style, 2); }},
+    {"bilevel_2_bits", [](Style& style) { return set_bilevel(style, 4); }},
     {"perceptual",
      [](Style& style) {
        style.set_effect(kContrast);

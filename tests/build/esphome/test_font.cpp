@@ -68,7 +68,7 @@ static int draw(bool two_colours, const char* text, const char* after) {
     inked += value != 0;
   }
   const int advance =
-      (inkcell::Painter::measure(same, style, text).advance.raw + 63) / 64;
+      (inkcell::Painter().measure(same, style, text).advance.raw + 63) / 64;
   printf("ESPHome, %s: %d pixels with ink, %d differ\n",
          two_colours ? "two colours" : "grey", inked, others);
   return others != 0 || inked < 200 || advance != width || height < 20;

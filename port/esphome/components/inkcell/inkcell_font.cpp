@@ -99,7 +99,7 @@ void InkcellFont::measure(
   if (!is_open_) {
     return;
   }
-  const auto size = ::inkcell::Painter::measure(font_, style_, text);
+  const auto size = ::inkcell::Painter().measure(font_, style_, text);
   *width = (size.advance.raw + 63) >> 6;
   *baseline = ascent();
   *height =

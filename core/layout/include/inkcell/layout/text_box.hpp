@@ -76,7 +76,10 @@ struct TextBox {
                  Span<TextLine> out,
                  Span<const TextLine>& lines) const noexcept;
 
-  /// Draws the lines that meet the sink's window. Cannot fail: it clips.
+  /// Draws the lines that meet the sink's window. Cannot fail: it clips. On
+  /// canvases of 1 and 2 bits it fits the first face, as Painter does, unless
+  /// `lines` are given. The other functions know no canvas: give them a style
+  /// of its style().
   void draw(Text text,
             const Sink& sink,
             Workspace workspace = {},

@@ -81,14 +81,14 @@ void inkcell_style_set_lcd(inkcell_style_t* style,
 
 // 1 and 2 bits without broken strokes: inkcell/bilevel.hpp.
 
-typedef struct INKCELL_SHARED inkcell_crisp_options_t {
+typedef struct INKCELL_SHARED inkcell_bilevel_options_t {
   uint8_t levels;         // of the display: 2 or 4
   int16_t threshold_q10;  // distance from which on a pixel is drawn, +-1/2 px
   const void* effect[2];
-} inkcell_crisp_options_t;
+} inkcell_bilevel_options_t;
 
-void inkcell_style_set_crisp(inkcell_style_t* style,
-                             inkcell_crisp_options_t* options);
+void inkcell_style_set_bilevel(inkcell_style_t* style,
+                               inkcell_bilevel_options_t* options);
 
 /// Contrast at small sizes: inkcell/edge_contrast.hpp. [1/256]
 typedef struct INKCELL_SHARED inkcell_edge_contrast_t {

@@ -55,8 +55,9 @@ typedef struct INKCELL_SHARED inkcell_sink_t {
                        int32_t y,
                        const uint8_t* coverage,
                        int32_t count);
-  /// As `block`.
+  /// As `block`, these two.
   void (*ramp)(void);
+  void (*adapt)(void);
 } inkcell_sink_t;
 
 #ifdef __cplusplus

@@ -83,8 +83,8 @@ inkcell_status_t inkcell_fit_make(const inkcell_font_t* font,
 /// Whether advances are whole pixels: lay out and measure with the style then.
 bool inkcell_fit_has_advances(const inkcell_fit_t* fit);
 
-/// For inkcell_crisp_options_t: the weight that whole stems have. [px, Q10]
-int16_t inkcell_fit_crisp_weight(const inkcell_fit_t* fit);
+/// For inkcell_bilevel_options_t: the weight that whole stems have. [px, Q10]
+int16_t inkcell_fit_bilevel_weight(const inkcell_fit_t* fit);
 
 /// Fits glyphs of outlines of an upright style. `fit` must outlive the style.
 void inkcell_style_set_fit(inkcell_style_t* style, const inkcell_fit_t* fit);
@@ -93,7 +93,12 @@ void inkcell_style_set_fit(inkcell_style_t* style, const inkcell_fit_t* fit);
 void inkcell_style_set_fit_heights(inkcell_style_t* style,
                                    const inkcell_fit_t* fit);
 
-/// Glyphs stay as designed, the default.
+/// Fits text for displays of 2 levels, or of 4, as sinks of 1 and 2 bits do by
+/// themselves: for what lays text out without a sink (inkcell/few_levels.hpp).
+/// Needs no inkcell_fit_t.
+void inkcell_style_fit_levels(inkcell_style_t* style, uint8_t levels);
+
+/// Glyphs stay as designed, also on sinks of 1 and 2 bits.
 void inkcell_style_clear_fit(inkcell_style_t* style);
 
 #ifdef __cplusplus

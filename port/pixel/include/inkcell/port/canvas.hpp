@@ -34,6 +34,7 @@ struct SinkKind {
   decltype(Sink::block) block;
   decltype(Sink::ramp) ramp;
   Layout layout;
+  decltype(Sink::adapt) adapt = nullptr;
 };
 
 // What is wrong with a strip: see pixel.hpp.

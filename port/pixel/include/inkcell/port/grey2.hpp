@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/few_levels.hpp"
 #include "inkcell/port/level_canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
@@ -23,6 +24,11 @@ struct Grey2Pixels {
 class Grey2Canvas : public detail::LevelCanvas<detail::Grey2Pixels, 3> {
  public:
   using LevelCanvas::LevelCanvas;
+
+  /// As MonoPagesCanvas::style().
+  static constexpr Style style(Q26_6 size) noexcept {
+    return four_level_style(size);
+  }
 };
 
 }  // namespace port

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/few_levels.hpp"
 #include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
@@ -41,6 +42,12 @@ class MonoPagesCanvas : public Canvas<detail::MonoPagesPixels> {
       : MonoPagesCanvas(strip, background) {
     fill();
     set_level(level);
+  }
+
+  /// A style of fitted text, for what lays text out without a canvas. Painter
+  /// and TextBox::draw() fit text by themselves.
+  static constexpr Style style(Q26_6 size) noexcept {
+    return two_level_style(size);
   }
 
   void set_level(uint8_t level) noexcept { pixels_.level = level; }

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/few_levels.hpp"
 #include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
@@ -37,6 +38,12 @@ class MonoRowsCanvas : public Canvas<detail::MonoRowsPixels> {
       : MonoRowsCanvas(strip, background, order) {
     fill();
     set_level(level);
+  }
+
+  /// A style of fitted text, for what lays text out without a canvas. Painter
+  /// and TextBox::draw() fit text by themselves.
+  static constexpr Style style(Q26_6 size) noexcept {
+    return two_level_style(size);
   }
 
   void set_level(uint8_t level) noexcept { pixels_.level = level; }

@@ -5,8 +5,8 @@
 using namespace inkcell;
 using namespace inkcell::c;
 
-void inkcell_style_set_crisp(inkcell_style_t* style,
-                             inkcell_crisp_options_t* options) {
+void inkcell_style_set_bilevel(inkcell_style_t* style,
+                               inkcell_bilevel_options_t* options) {
   ref(style).set_effect(*new (into_words<Bilevel>(options->effect))
       Bilevel(options->levels, Q6_10::from_raw(options->threshold_q10)));
 }

@@ -1,6 +1,6 @@
 // Whether thin strokes of whole fonts stay connected on displays of 1 bit.
 //
-//   crisp <font.bin> <most breaks of 1000 pictures>
+//   strokes <font.bin> <most breaks of 1000 pictures>
 //
 // Draws every glyph at 8 to 14 px in 8 sub-pixel positions with Bilevel,
 // and counts pieces of ink that touch, also at corners. A picture that has more
@@ -33,7 +33,7 @@ Bitmap draw(const Font& font,
             int px,
             int x_q6,
             int y_q6,
-            bool is_crisp) {
+            bool is_bilevel) {
   const int side = 3 * px;
   Bitmap picture = {side, side,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
@@ -44,7 +44,7 @@ Bitmap draw(const Font& font,
   if (canvas.status() != Status::ok) {
     std::abort();
   }
-  if (is_crisp) {
+  if (is_bilevel) {
     style.set_effect(bilevel);
   }
   Painter(canvas).glyph(font, style,
@@ -113,7 +113,7 @@ struct Tally {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fprintf(stderr, "crisp <font.bin> <most breaks of 1000 pictures>\n");
+    std::fprintf(stderr, "strokes <font.bin> <most breaks of 1000 pictures>\n");
     return 2;
   }
   const RomFile file(argv[1]);
@@ -123,27 +123,27 @@ int main(int argc, char** argv) {
     return 2;
   }
   Tally threshold;
-  Tally crisp;
+  Tally bilevel;
   for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
     const int wanted = count_pieces(draw(font, glyph, 64, 0, 0, false));
     for (int px = 8; px <= 14 && wanted > 0; ++px) {
       for (int phase = 0; phase < 8; ++phase) {
         const int x_q6 = phase % 4 * 16 + 5;
         const int y_q6 = phase / 4 * 32 + 3;
-        const auto pieces = [&](bool is_crisp) {
-          return count_pieces(draw(font, glyph, px, x_q6, y_q6, is_crisp));
+        const auto pieces = [&](bool is_bilevel) {
+          return count_pieces(draw(font, glyph, px, x_q6, y_q6, is_bilevel));
         };
         threshold.add(pieces(false), wanted);
-        crisp.add(pieces(true), wanted);
+        bilevel.add(pieces(true), wanted);
       }
     }
   }
   threshold.print("threshold");
-  crisp.print("crisp");
+  bilevel.print("bilevel");
   // 94 characters have ink.
   constexpr int kLeastPictures = 94 * 7 * 8;
-  return crisp.pictures >= kLeastPictures &&
-                 crisp.broken * 1000 <= std::atoi(argv[2]) * crisp.pictures
+  return bilevel.pictures >= kLeastPictures &&
+                 bilevel.broken * 1000 <= std::atoi(argv[2]) * bilevel.pictures
              ? 0
              : 1;
 }

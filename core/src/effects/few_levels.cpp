@@ -1,0 +1,148 @@
+// Text on canvases of 1 and 2 bits, of the coverage that a filter makes.
+//
+// A threshold draws the pixels that are covered by half. What is thinner than a
+// pixel may then show nothing; two rules draw a pixel for it:
+//   - a stroke that passes a row covers about as much of it as of the rows
+//     above and below: the row draws its most covered pixel; columns alike;
+//   - a pixel that covers more than all eight around it, none of them drawn, is
+//     the middle of a part of its own: a dot.
+#include "inkcell/few_levels.hpp"
+
+#include "base/math.hpp"
+#include "effects/mixed_rows.hpp"
+#include "inkcell/fit.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// What three pixels of a line across a stroke cover at least, and nine around a
+// dot: more than roundings. [1/255 px]
+constexpr int32_t kLeastStroke = 16;
+constexpr int32_t kLeastDot = 6;
+// Strokes that cover so much in three pixels are no ends.
+constexpr int32_t kSurely = 180;
+
+// Coverage from which on pixels of 1 bit are drawn.
+constexpr int32_t kDrawn = 128;
+
+void plan_few(const Effect&, const Style&, BandPlan& plan) noexcept {
+  // The pixels that decide about one.
+  plan.margin_x = 2;
+  plan.margin_y = 2;
+}
+
+class LevelPixels {
+ public:
+  LevelPixels(uint8_t levels, int32_t stride) noexcept
+      : stride_(stride), drawn_(levels > 2 ? 170 : 255) {}
+
+  uint8_t coverage(const uint8_t* at) const noexcept {
+    const uint8_t own = *at;
+    const bool is_shown = own == 0 || own >= kDrawn || !stands_for_ink(at);
+    return is_shown ? own : drawn_;
+  }
+
+ private:
+  bool stands_for_ink(const uint8_t* at) const noexcept {
+    return (goes_on(at, 1, stride_) && is_whole(at, 1, stride_)) ||
+           (goes_on(at, stride_, 1) && is_whole(at, stride_, 1)) || is_dot(at);
+  }
+
+  // What three pixels of a line cover.
+  static int32_t sum(const uint8_t* at, int32_t step) noexcept {
+    return at[-step] + *at + at[step];
+  }
+
+  // Whether a pixel that is not drawn shows most of the ink of its line, with
+  // ink in both lines beside it. `step` leads along the line, `across` to the
+  // next one.
+  bool goes_on(const uint8_t* at, int32_t step, int32_t across) const noexcept {
+    const int32_t own = *at;
+    if (own >= kDrawn || own <= at[-step] || own < at[step]) {
+      return false;
+    }
+    const int32_t here = sum(at, step);
+    return here >= kLeastStroke && 4 * sum(at - across, step) >= here &&
+           4 * sum(at + across, step) >= here;
+  }
+
+  // Whether it is a stroke that passes the line, and not an end: that covers
+  // less than the strokes in the lines beside it.
+  static bool is_whole(const uint8_t* at,
+                       int32_t step,
+                       int32_t across) noexcept {
+    const int32_t here = sum(at, step);
+    int32_t least = kSurely;
+    for (int32_t i = -2; i <= 2; ++i) {
+      const int32_t beside = sum(at + i * across, step);
+      least = i != 0 && 2 * beside >= here ? min(least, beside) : least;
+    }
+    return 4 * here >= 3 * least;
+  }
+
+  bool is_dot(const uint8_t* at) const noexcept {
+    const int32_t own = *at;
+    int32_t all = 0;
+    int32_t earlier = 1;  // of equal pixels the first one is the dot
+    const uint8_t* row = at - stride_ - 1;
+    for (int32_t rows = 3; rows != 0; --rows) {
+      for (int32_t i = 0; i != 3; ++i) {
+        earlier = row + i == at ? 0 : earlier;
+        if (row[i] + earlier > own) {
+          return false;
+        }
+        all += row[i];
+      }
+      row += stride_;
+    }
+    return all >= kLeastDot;
+  }
+
+  int32_t stride_;
+  uint8_t drawn_;  // coverage of a pixel that stands for ink
+};
+
+void mix_few(const Effect& effect, GlyphBand& band) noexcept {
+  band.cover();
+  const LevelPixels pixels(static_cast<const FewLevels&>(effect).levels,
+                           band.stride());
+  mix_rows(band, [&pixels](const uint8_t* at) noexcept {
+    return pixels.coverage(at);
+  });
+}
+
+const Style& adapt(const Style& given,
+                   bool is_laid_out,
+                   const Fitter& fitter,
+                   const FewLevels& effect,
+                   Style& room) noexcept {
+  room = given;
+  if (!is_laid_out && given.is_fit_open()) {
+    room.set_fitter(given.size().raw < Fit::kEnds.raw ? &fitter : nullptr,
+                    nullptr);
+  }
+  if (given.effect() == nullptr) {
+    room.set_effect(effect);
+  }
+  return room;
+}
+
+}  // namespace
+
+const Mixer kFewLevelsMixer = {nullptr, plan_few, mix_few};
+
+const Style& adapt_to_two_levels(const Style& given,
+                                 bool is_laid_out,
+                                 Style& room) noexcept {
+  return adapt(given, is_laid_out, kFitTwoLevels, kTwoLevels, room);
+}
+
+const Style& adapt_to_four_levels(const Style& given,
+                                  bool is_laid_out,
+                                  Style& room) noexcept {
+  return adapt(given, is_laid_out, kFitFourLevels, kFourLevels, room);
+}
+
+}  // namespace detail
+}  // namespace inkcell
