@@ -13,6 +13,7 @@
 #include "judge/hint_trial.hpp"
 #include "outline_reader.hpp"
 #include "outlines/unite.hpp"
+#include "pipeline/font_hints.hpp"
 #include "pipeline/generate.hpp"
 #include "rom/outline_font.hpp"
 
@@ -400,6 +401,29 @@ TEST(Hints, WhatSpoilsAGlyphIsDropped) {
   content = framed(hints);
   drop_harmful_hints(content, 2);
   EXPECT_EQ(2u, content.hints.glyphs[0].heights.size());
+}
+
+TEST(Hints, SmallPartsAreStrokes) {
+  const GlyphFeatures colon = features(
+      "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Thin.ttf",
+      U':');
+  EXPECT_EQ(2u, colon.bars.size());
+  EXPECT_EQ(1u, colon.stems.size());
+}
+
+TEST(Hints, FontsOfPixelsHaveNone) {
+  RomContent content = framed(GlyphHints());
+  EXPECT_FALSE(find_hints(content, 1).empty());
+  // The same of pixels of 128 u.
+  auto& contours = content.glyphs[0].outline.contours;
+  for (auto& contour : contours) {
+    for (auto& point : contour) {
+      point.x = (point.x + 60) / 128 * 128;
+      point.y = (point.y + 60) / 128 * 128;
+    }
+  }
+  encode_outlines(content);
+  EXPECT_TRUE(find_hints(content, 1).empty());
 }
 
 }  // namespace

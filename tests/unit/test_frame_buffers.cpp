@@ -45,8 +45,9 @@ void check_bits(MakeBits make) {
   constexpr int32_t kBytes = (kWidth + 7) / 8;
   static uint8_t buffer[kBytes * kHeight + 1];
   buffer[sizeof buffer - 1] = 0x5a;
-  const MonoRowsCanvas canvas = make(buffer, kWidth, kHeight);
+  MonoRowsCanvas canvas = make(buffer, kWidth, kHeight);
   CHECK_EQ(canvas.strip().pixels.size, sizeof buffer - 1);
+  canvas.adapt = nullptr;  // text as on other canvases
   display_page::draw_page(canvas, 0);
   check_pixels(
       kWidth, kHeight,
@@ -124,7 +125,12 @@ TEST(tft_sprites_of_16_bits_are_drawn_on) {
 TEST(u8g2_buffers_are_drawn_on) {
   constexpr int32_t kTiles = 16;
   static uint8_t buffer[8 * kTiles * 8];
-  display_page::draw_page(u8g2_buffer(buffer, kTiles, 8), 0);
+  const auto canvas_of = [](uint8_t* bytes, auto... where) {
+    MonoPagesCanvas canvas = u8g2_buffer(bytes, kTiles, where...);
+    canvas.adapt = nullptr;  // text as on other canvases
+    return canvas;
+  };
+  display_page::draw_page(canvas_of(buffer, 8), 0);
   check_pixels(
       8 * kTiles, 64,
       [](int32_t x, int32_t y) {
@@ -134,7 +140,7 @@ TEST(u8g2_buffers_are_drawn_on) {
   // One page after the other, as firstPage() and nextPage() go.
   for (int32_t row = 0; row < 8; row += 2) {
     static uint8_t page[2 * 8 * kTiles];
-    display_page::draw_page(u8g2_buffer(page, kTiles, 2, row), 0);
+    display_page::draw_page(canvas_of(page, 2, row), 0);
     for (size_t i = 0; i < sizeof page && !check::failed(); ++i) {
       CHECK_EQ(page[i], buffer[static_cast<size_t>(row * 8 * kTiles) + i]);
     }

@@ -116,7 +116,7 @@ TEST(a_change_makes_the_screen_of_a_full_redraw) {
 TEST(values_stand_at_their_anchor) {
   const Font font = sample_font();
   const Style style(20_px);
-  const int32_t width = Painter::measure(font, style, "AD").advance.raw;
+  const int32_t width = Painter().measure(font, style, "AD").advance.raw;
   struct {
     Anchor anchor;
     int32_t left;

@@ -39,7 +39,7 @@ class ValueLabel {
   /// the pixels of the old and of the new text, with filter, fitting and
   /// effect: those to draw and to send. Empty if the text is the same.
   /// `painter` is the one that draws, if it has a cache, whose glyphs may be
-  /// drawn up to a pixel off.
+  /// drawn up to a pixel off, or a canvas of 1 or 2 bits, which may fit text.
   Rect set(Text text, const Painter& painter = {}) noexcept;
 
   /// Draws the text. The background is the caller's.
