@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "grid_record.hpp"
 #include "inkcell/bilevel.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/painter.hpp"
 #include "picture.hpp"
 #include "random.hpp"
@@ -95,7 +96,7 @@ Fit fit_of(const Font& font, int32_t px_q6, const FitOptions& options = {}) {
 }
 
 constexpr FitOptions kAcross = {true, 0, FitOptions::kAll};
-constexpr FitOptions kCrisp = {true, 2, FitOptions::kAll};
+constexpr FitOptions kBilevel = {true, 2, FitOptions::kAll};
 
 GlyphWarp warp_of(const Font& font, const Fit& fit, uint16_t glyph) {
   FinePoint origin = {300, 700};
@@ -137,7 +138,7 @@ TEST(heights_lie_between_rows) {
               {{0, 0}, {1105, 1088}, {1280, 1280}});
 }
 
-TEST(bars_of_crisp_text_fill_rows) {
+TEST(bars_of_bilevel_text_fill_rows) {
   const Font font = hinted_font();
   const FitOptions options = {false, 2, FitOptions::kAll};
   const GlyphWarp warp = warp_of(font, fit_of(font, 11 * 64, options), three);
@@ -158,10 +159,10 @@ TEST(stems_stand_in_whole_pixels) {
   check_knots(warp_of(font, fit, two).x,
               {{150, 272}, {375, 496}, {1125, 1296}, {1350, 1520}});
   CHECK_EQ(fit.advance_px(font, two), 6);
-  const Fit crisp = fit_of(font, 10 * 64, kCrisp);
-  check_knots(warp_of(font, crisp, two).x,
+  const Fit bilevel = fit_of(font, 10 * 64, kBilevel);
+  check_knots(warp_of(font, bilevel, two).x,
               {{150, 256}, {375, 512}, {1125, 1280}, {1350, 1536}});
-  CHECK_EQ(crisp.advance_px(font, two), 6);
+  CHECK_EQ(bilevel.advance_px(font, two), 6);
 }
 
 // Symmetric: an odd number of pixels, as a stem has. 4.2 px become 5.
@@ -174,13 +175,13 @@ TEST(ink_without_stems_is_whole) {
 }
 
 // Below 12 px wings of serifs go into the zone, and the ink begins at the stem.
-TEST(serifs_of_crisp_text_are_left_out) {
+TEST(serifs_of_bilevel_text_are_left_out) {
   const Font font = hinted_font();
-  const GlyphWarp small = warp_of(font, fit_of(font, 10 * 64, kCrisp), serif);
+  const GlyphWarp small = warp_of(font, fit_of(font, 10 * 64, kBilevel), serif);
   check_knots(small.y, {{0, 0}, {75, 0}, {1280, 1280}});
   check_knots(small.x, {{275, 256}, {500, 512}});
-  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).advance_px(font, serif), 3);
-  const GlyphWarp large = warp_of(font, fit_of(font, 12 * 64, kCrisp), serif);
+  CHECK_EQ(fit_of(font, 10 * 64, kBilevel).advance_px(font, serif), 3);
+  const GlyphWarp large = warp_of(font, fit_of(font, 12 * 64, kBilevel), serif);
   CHECK_EQ(large.y.knots[1].to_q8, 256);
   CHECK_EQ(large.x.count, 4);
 }
@@ -188,9 +189,9 @@ TEST(serifs_of_crisp_text_are_left_out) {
 TEST(diagonals_get_the_weight_of_stems) {
   const Font font = hinted_font();
   // 56 become 64: 4/64 px on each side.
-  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).bilevel_weight().raw, -34);
+  CHECK_EQ(fit_of(font, 10 * 64, kBilevel).bilevel_weight().raw, -34);
   // 84 become 64.
-  CHECK_EQ(fit_of(font, 15 * 64, kCrisp).bilevel_weight().raw, 190);
+  CHECK_EQ(fit_of(font, 15 * 64, kBilevel).bilevel_weight().raw, 190);
 }
 
 TEST(heights_can_be_fitted_alone) {
@@ -215,10 +216,46 @@ TEST(heights_can_be_fitted_alone) {
   CHECK(kGridFit.has_advances(style));
 }
 
+// What canvases of 1 bit do to a style that leaves its fit open.
+TEST(sinks_of_few_levels_fit_text) {
+  const Font font = hinted_font();
+  Sink sink;
+  sink.adapt = detail::adapt_to_two_levels;
+  Style room;
+  const Style open(10_px);
+  CHECK(open.is_fit_open());
+  const Style& fitted = sink.adapt(open, false, room);
+  CHECK(&fitted == &room && !fitted.is_fit_open());
+  CHECK(fitted.has_whole_advances());
+  CHECK(is_same(fitted, two_level_style(10_px)));
+  // As with a Fit.
+  CHECK_EQ(fitted.fitter()->advance_px(font, fitted, two),
+           fit_of(font, 10 * 64, kBilevel).advance_px(font, two));
+  FinePoint origin = {300, 700};
+  GlyphWarp warp = {};
+  GlyphMetrics metrics;
+  CHECK_OK(font.glyph_metrics(two, metrics));
+  fitted.fitter()->fit(font, fitted, two, metrics, origin, warp);
+  CHECK_EQ(origin.x_q10, 0);
+  CHECK_EQ(origin.y_q10, 1024);
+  const GlyphWarp same = warp_of(font, fit_of(font, 10 * 64, kBilevel), two);
+  CHECK_EQ(warp.x.count, same.x.count);
+  for (int32_t i = 0; i != warp.x.count; ++i) {
+    CHECK_EQ(warp.x.knots[i].to_q8, same.x.knots[i].to_q8);
+  }
+  // Laid out, large or closed text keeps its advances, with the effect.
+  CHECK(!sink.adapt(open, true, room).is_fitted());
+  CHECK(!sink.adapt(Style(40_px), false, room).is_fitted());
+  Style closed(10_px);
+  closed.set_fitter(nullptr, nullptr);
+  CHECK(!sink.adapt(closed, false, room).is_fitted());
+  CHECK(room.effect() != nullptr);
+}
+
 TEST(a_fit_can_be_made_again) {
   const Font font = hinted_font();
-  Fit fit = fit_of(font, 10 * 64, kCrisp);
-  CHECK_OK(Fit::make(font, style_of(40 * 64), kCrisp, fit));
+  Fit fit = fit_of(font, 10 * 64, kBilevel);
+  CHECK_OK(Fit::make(font, style_of(40 * 64), kBilevel, fit));
   CHECK(!fit.has_advances());
   CHECK_EQ(fit.bilevel_weight().raw, 0);
   CHECK_EQ(warp_of(font, fit, two).y.count, 0);
@@ -236,7 +273,7 @@ TEST(fitting_fades_and_ends) {
   CHECK_EQ(shift(32, {}), (192 * 120) >> 8);
   CHECK_EQ(shift(40, {}), 0);
   CHECK_EQ(shift(24, {false, 0, 128}), (192 * 124) >> 8);
-  // Crisp text is fitted or not.
+  // Bilevel text is fitted or not.
   CHECK_EQ(shift(32, {false, 2, FitOptions::kAll}), 192);
   CHECK(!fit_of(font, 40 * 64, kAcross).has_advances());
   Fit fit;
@@ -340,13 +377,13 @@ TEST(fitted_glyphs_look_sharp) {
                 ".*****.*...*..*...\n"
                 ".*.....*...*..*...\n"
                 ".*****.*...*.+*+..\n");
-  const Fit whole = fit_of(font, 11 * 64, kCrisp);
+  const Fit whole = fit_of(font, 11 * 64, kBilevel);
   const Bilevel bilevel(2, whole.bilevel_weight());
   style.set_fit(whole);
   style.set_effect(bilevel);
-  Picture<18, 8> crisp;
-  draw_each(font, style, crisp);
-  CHECK_PICTURE(crisp,
+  Picture<18, 8> bilevel;
+  draw_each(font, style, bilevel);
+  CHECK_PICTURE(bilevel,
                 "..................\n"
                 ".#####.#####.#....\n"
                 ".#...#.#...#.#....\n"

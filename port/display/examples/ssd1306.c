@@ -5,7 +5,7 @@
 //
 //   u8g2_Setup_ssd1306_i2c_...(...)  inkcell_ssd1306_t; write_i2c() is yours
 //   u8g2_InitDisplay(&u8g2)          inkcell_ssd1306_init(&display)
-//   u8g2_SetFont(&u8g2, font)        inkcell_style_make(), inkcell_fit_make()
+//   u8g2_SetFont(&u8g2, font)        inkcell_style_make(), ..._fit_levels()
 //   u8g2_DrawUTF8(&u8g2, x, y, "A")  inkcell_draw_text(), x and y in 1/64 px
 //   u8g2_SendBuffer(&u8g2)           inkcell_ssd1306_write(&display, &screen)
 #include <fonts/oled_c.h>
@@ -38,11 +38,9 @@ static inkcell_status_t run(void) {
 
   inkcell_font_t font;
   inkcell_style_t style;
-  inkcell_fit_t fit;
   TRY(inkcell_font_open(oled_c, oled_c_size, &font));
   TRY(inkcell_style_make(INKCELL_Q6(12), &inkcell_filter_area, &style));
-  TRY(inkcell_fit_make(&font, &style, true, 2, 256, &fit));
-  inkcell_style_set_fit(&style, &fit);
+  inkcell_style_fit_levels(&style, 2);
 
   inkcell_mono_pages_target_t screen = {
       {pixels, sizeof pixels, 0, 0, WIDTH, 64, WIDTH, 0}, 128, 1};

@@ -29,7 +29,6 @@ typedef struct screen_t {
   inkcell_font_t font;
   inkcell_style_t label;
   inkcell_style_t large;
-  inkcell_fit_t fit;  // small text is fitted to the grid of pixels
   const char* value;
 } screen_t;
 
@@ -71,8 +70,6 @@ static inkcell_status_t run(void) {
   TRY(inkcell_ssd1680_init(&display));
   TRY(inkcell_style_make(INKCELL_Q6(20), &inkcell_filter_area, &screen.label));
   TRY(inkcell_style_make(INKCELL_Q6(72), &inkcell_filter_area, &screen.large));
-  TRY(inkcell_fit_make(&screen.font, &screen.label, true, 2, 256, &screen.fit));
-  inkcell_style_set_fit(&screen.label, &screen.fit);
   inkcell_strip_loop_t loop = {.buffer = pixels,
                                .size = sizeof pixels,
                                .format = INKCELL_MONO_ROWS,
