@@ -381,9 +381,9 @@ TEST(fitted_glyphs_look_sharp) {
   const Bilevel bilevel(2, whole.bilevel_weight());
   style.set_fit(whole);
   style.set_effect(bilevel);
-  Picture<18, 8> bilevel;
-  draw_each(font, style, bilevel);
-  CHECK_PICTURE(bilevel,
+  Picture<18, 8> picture;
+  draw_each(font, style, picture);
+  CHECK_PICTURE(picture,
                 "..................\n"
                 ".#####.#####.#....\n"
                 ".#...#.#...#.#....\n"
