@@ -417,7 +417,7 @@ TEST(Hints, FontsOfPixelsHaveNone) {
   // The same of pixels of 128 u.
   auto& contours = content.glyphs[0].outline.contours;
   for (auto& contour : contours) {
-    for (auto& point : contour) {
+    for (auto& point : contour.points) {
       point.x = (point.x + 60) / 128 * 128;
       point.y = (point.y + 60) / 128 * 128;
     }

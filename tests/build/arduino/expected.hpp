@@ -29,7 +29,8 @@ struct Expected {
     painter.text(font, style, next, printed_after);
   }
   int width(const char* text) const {
-    return (inkcell::Painter().measure(font, style, text).advance.raw + 63) / 64;
+    inkcell::Painter painter;
+    return (painter.measure(font, style, text).advance.raw + 63) / 64;
   }
   int line() const { return inkcell::line_height({font, style}).floor(); }
   int ascent() const { return inkcell::baseline({font, style}).floor(); }
