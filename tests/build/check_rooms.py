@@ -35,7 +35,7 @@ CORE = {
 LIBRARIES = {
     "cache": "base rows text",
     "field": "base place outlines rows",
-    "kinetic": "base",
+    "kinetic": "base place outlines rows",
     "layout": "text",
 }
 

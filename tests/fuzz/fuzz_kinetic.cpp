@@ -20,6 +20,7 @@
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/path.hpp"
@@ -229,6 +230,14 @@ void use_grids(const Font& font, Choices& choices) {
   if (morph.set(glyph, choices.u16()) == Status::ok) {
     morph.step(choices.q16(), scratch);
     morph.draw(x, y, canvas.sink());
+  }
+  OutlineMorph outlines;
+  const uint16_t to = choices.u16();
+  if (OutlineMorph::open(font, glyph, to, outlines) == Status::ok) {
+    alignas(4) uint8_t ram[2048];
+    const Style style(choices.q6(), kFilterMotion);
+    outlines.draw(Painter(canvas.sink(), Span<uint8_t>(ram)), style, {x, y},
+                  choices.q16());
   }
 }
 

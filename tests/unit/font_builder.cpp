@@ -433,6 +433,12 @@ void write_hints(const FontSpec& spec, Writer& out) {
   }
 }
 
+void write_morphs(const FontSpec& spec, Writer& out) {
+  for (const uint8_t byte : spec.morphs) {
+    out.u8(byte);
+  }
+}
+
 void write_code(const FontSpec& spec, Writer& out) {
   for (const uint8_t byte : spec.outlines.code) {
     out.u8(byte);
@@ -448,6 +454,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
       {section::kCode, section::kMustUnderstand, write_code},
       {section::kKerning, 0, write_kerning},
       {section::kGrid, 0, write_hints},
+      {section::kMorphs, 0, write_morphs},
       {section::kName, 0, write_name},
       {spec.extra_section, spec.extra_flags, write_nothing},
   };
@@ -457,6 +464,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
                       spec.outlines.code.size != 0,
                       spec.kerning.left_classes != 0,
                       spec.hints.size != 0,
+                      spec.morphs.size != 0,
                       spec.name[0] != '\0',
                       spec.extra_section != 0};
   uint32_t count = 0;

@@ -223,7 +223,8 @@ inline size_t build_outline_font(Span<const OutlineSource> glyphs,
                                  int8_t grid_shift,
                                  uint32_t first,
                                  Span<uint8_t> out,
-                                 Span<const uint8_t> hints = {}) {
+                                 Span<const uint8_t> hints = {},
+                                 Span<const uint8_t> morphs = {}) {
   static uint8_t records[kMaxRecordBytes];
   static font_builder::GlyphSpec specs[kMaxGlyphs];
   static uint8_t code[2 << kCodeBits];
@@ -267,6 +268,7 @@ inline size_t build_outline_font(Span<const OutlineSource> glyphs,
   spec.units_per_em = 1024;
   spec.cmap = {cmap, 1};
   spec.hints = hints;
+  spec.morphs = morphs;
   spec.glyphs = {specs, glyphs.size};
   spec.outlines = {
       {code, sizeof(code)}, kCodeBits, grid_shift, static_cast<uint16_t>(most)};

@@ -10,6 +10,7 @@
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/path.hpp"
@@ -99,6 +100,17 @@ Status draw_morph(int32_t now_ms, const Sink& sink) {
   INKCELL_TRY(digit.set(font.glyph_or_notdef('A'), font.glyph_or_notdef('C')));
   digit.step(ease(kEaseInOut, fraction(0, 600, now_ms)), scratch);
   digit.draw(x, y, sink);  // for each strip
+  return Status::ok;
+}
+
+Status draw_outlines(const Painter& painter, Q16_16 progress) {
+  const uint16_t four = font.glyph_or_notdef('A');
+  const uint16_t five = font.glyph_or_notdef('C');
+  const Style style(size);
+  const Point origin = from;
+  OutlineMorph digit;
+  INKCELL_TRY(OutlineMorph::open(font, four, five, digit));
+  digit.draw(painter, style, origin, progress);  // for each strip
   return Status::ok;
 }
 
@@ -234,6 +246,12 @@ TEST(morphs_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_morph(300, sink));
   CHECK(ink > 255 * 20);
+}
+
+TEST(outlines_morph_if_the_font_holds_the_pair) {
+  const Sink sink = counting_sink();
+  CHECK(draw_outlines(Painter(sink), Q16_16::from_int(0)) == Status::no_glyph);
+  CHECK_EQ(ink, 0);
 }
 
 TEST(particles_draw) {

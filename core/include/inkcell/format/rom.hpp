@@ -89,6 +89,7 @@ inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
 inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
 inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
 inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
+inline constexpr uint32_t kMorphs = tag('M', 'O', 'R', 'P');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
 
@@ -228,6 +229,31 @@ inline constexpr int32_t kMaxGridShift = 3;
 /// In the first byte of a record of an outline; others have a type there.
 inline constexpr uint8_t kRecordBit = 0x80;
 }  // namespace outline
+
+// MORP: how outlines of pairs of glyphs become each other. After the header a
+// bit table with a row for each pair, ascending: first glyph, second glyph,
+// offset of the record from the table's end, in bytes; then the records, which
+// are read bit by bit like outlines.
+namespace morphs {
+inline constexpr uint32_t kPairs = 0;       // u16
+inline constexpr uint32_t kGlyphBits = 2;   // u8, 0..16
+inline constexpr uint32_t kOffsetBits = 3;  // u8, 0..25
+inline constexpr uint32_t kMaxPoints = 4;   // u16, of any pair
+inline constexpr uint32_t kBytes = 6;
+inline constexpr uint32_t kMaxGlyphBits = 16;
+
+// Widths of a record's numbers. [bits]
+inline constexpr uint32_t kPointWidthBits = 4;  // the width of a point's number
+inline constexpr uint32_t kKindBits = 2;
+inline constexpr uint32_t kPieceCountBits = 7;
+inline constexpr uint32_t kEighthBits = 3;
+
+// Kinds of contours.
+inline constexpr uint32_t kEnd = 0;         // there are no more
+inline constexpr uint32_t kBoth = 1;        // both glyphs have it
+inline constexpr uint32_t kSecondOnly = 2;  // it grows from a slit
+inline constexpr uint32_t kFirstOnly = 3;   // it shrinks to a slit
+}  // namespace morphs
 
 // A glyph record that refers to others, bit by bit after its type.
 namespace composite {

@@ -1,0 +1,363 @@
+// The source of outlines between two glyphs.
+#include "inkcell/kinetic/outline_morph.hpp"
+
+#include "base/bit_table.hpp"
+#include "base/bytes.hpp"
+#include "base/modular.hpp"
+#include "inkcell/format/rom.hpp"
+#include "limits.hpp"
+#include "morph_record.hpp"
+#include "outlines/outline_glyph.hpp"
+#include "rows/draw_bands.hpp"
+#include "rows/source.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+using detail::GlyphJob;
+using detail::GlyphRef;
+using detail::InkEnds;
+using detail::OutlineGlyph;
+using detail::Placed;
+using detail::ScreenPoint;
+
+namespace morphs = format::morphs;
+
+constexpr int32_t kOneQ10 = 1 << 10;
+
+// A pair at a progress. Null points: they are made anew for each call.
+struct Morphing {
+  const Font* font;
+  Span<const uint8_t> record;
+  uint16_t glyphs[2];
+  int32_t progress_q10;  // 1..1023
+  MorphPoints* points;
+};
+
+struct __attribute__((may_alias)) MorphJob : GlyphJob {
+  const Morphing* morphing;
+  InkEnds ink[2];  // of the outline on its way
+  Placed placed;
+  const ScreenPoint* points;
+  const ScreenPoint* points_end;
+  detail::OutlineCursor cursor;
+};
+
+static_assert(sizeof(MorphJob) <= detail::kMostJob);
+
+bool find_glyph(const MorphJob& job,
+                uint16_t glyph,
+                OutlineGlyph& outline,
+                InkEnds (&ink)[2],
+                bool& is_mirrored) noexcept {
+  const Style& style = *job.style;
+  return outline.find(*job.morphing->font, glyph, style.size(),
+                      style.is_upright() ? nullptr : &style, ink, is_mirrored);
+}
+
+// The box of the outline on its way, and where its points count from.
+void find_box(const MorphJob& job, OutlineGlyph& outline, Rect& box) noexcept {
+  const BandPlan& plan = job.plan;
+  outline.find_box(job.placed, plan,
+                   plan.band_kind->bytes == detail::BandBytes::area ? 0 : 128,
+                   job.ink, box);
+}
+
+// Rounded outwards: by a 32nd of a pixel.
+int32_t end_between(int32_t a, int32_t b, int32_t part, int32_t sign) noexcept {
+  const int32_t whole =
+      detail::wrapped(static_cast<uint32_t>(b) - static_cast<uint32_t>(a));
+  return detail::sum(
+      a, detail::sum(detail::product(detail::product(whole >> 12, part), 4),
+                     sign * (1 << 13)));
+}
+
+// All points of a glyph, where its partner's are. Null: there is no room.
+__attribute__((noinline)) ScreenPoint* read_glyph(MorphJob& job,
+                                                  uint16_t glyph,
+                                                  ScreenPoint* out,
+                                                  ScreenPoint* end) noexcept {
+  OutlineGlyph outline;
+  InkEnds own[2];
+  bool is_mirrored;
+  if (!find_glyph(job, glyph, outline, own, is_mirrored)) {
+    return nullptr;
+  }
+  Rect box;
+  find_box(job, outline, box);
+  outline.rewind();
+  out = outline.read(out, static_cast<int32_t>(end - out));
+  return outline.is_done() ? out : nullptr;
+}
+
+// Makes the points of the outline between both glyphs, from `begin` on. Null:
+// there is no room, or nothing shows.
+ScreenPoint* make_points(MorphJob& job,
+                         ScreenPoint* begin,
+                         ScreenPoint* end) noexcept {
+  const Morphing& morphing = *job.morphing;
+  // Both glyphs, and then the outline between them, which takes their place.
+  ScreenPoint* const second = read_glyph(job, morphing.glyphs[0], begin, end);
+  if (second == nullptr) {
+    return nullptr;
+  }
+  ScreenPoint* const made = read_glyph(job, morphing.glyphs[1], second, end);
+  if (made == nullptr) {
+    return nullptr;
+  }
+  const MorphOutline outlines[] = {
+      {begin, static_cast<int32_t>(second - begin)},
+      {second, static_cast<int32_t>(made - second)}};
+  const ScreenPoint* const made_end =
+      write_morph(morphing.record, outlines, morphing.progress_q10, made,
+                  static_cast<int32_t>(end - made));
+  if (made_end == nullptr || made_end == made) {
+    return nullptr;
+  }
+  ScreenPoint* out = begin;
+  for (const ScreenPoint* from = made; from != made_end;) {
+    *out++ = *from++;
+  }
+  return out;
+}
+
+bool load_kept(MorphJob& job, MorphPoints& kept) noexcept {
+  auto* const begin = reinterpret_cast<ScreenPoint*>(kept.ram.data);
+  if (kept.count < 0) {
+    const size_t room = kept.ram.size / sizeof(ScreenPoint);
+    const ScreenPoint* const end = make_points(job, begin, begin + room);
+    kept.count = end == nullptr ? 0 : static_cast<int32_t>(end - begin);
+  }
+  job.points = begin;
+  job.points_end = begin + kept.count;
+  return kept.count != 0;
+}
+
+bool load_points(MorphJob& job) noexcept {
+  if (job.morphing->points != nullptr) {
+    return load_kept(job, *job.morphing->points);
+  }
+  auto* const begin = reinterpret_cast<ScreenPoint*>(job.ram);
+  const int32_t room = job.ram_bytes / int32_t{sizeof(ScreenPoint)};
+  ScreenPoint* const end = make_points(job, begin, begin + room);
+  if (end == nullptr) {
+    return false;
+  }
+  job.points = begin;
+  job.points_end = end;
+  uint8_t* const ram_end = job.ram + job.ram_bytes;
+  job.ram = reinterpret_cast<uint8_t*>(end);
+  job.ram_bytes = static_cast<int32_t>(ram_end - job.ram);
+  return job.ram_bytes >= detail::kLeastBand;
+}
+
+__attribute__((noinline)) bool find_morph(MorphJob& job) noexcept {
+  OutlineGlyph outline;
+  InkEnds to[2];
+  const Morphing& morphing = *job.morphing;
+  if (!find_glyph(job, morphing.glyphs[1], outline, to, job.band.is_mirrored) ||
+      !find_glyph(job, morphing.glyphs[0], outline, job.ink,
+                  job.band.is_mirrored)) {
+    return false;
+  }
+  const int32_t part = morphing.progress_q10;
+  for (int32_t i = 0; i != 2; ++i) {
+    InkEnds& ends = job.ink[i];
+    ends = {end_between(ends.low, to[i].low, part, -1),
+            end_between(ends.high, to[i].high, part, 1)};
+  }
+  find_box(job, outline, job.box);
+  return true;
+}
+
+bool prepare_morph(GlyphJob& base,
+                   const GlyphRef& ref,
+                   const Placed& placed) noexcept {
+  auto& job = static_cast<MorphJob&>(base);
+  job.morphing = static_cast<const Morphing*>(ref.from);
+  job.placed = placed;
+  return find_morph(job) &&
+         (job.sink == nullptr || (job.clip() && load_points(job)));
+}
+
+void fill_morph(GlyphJob& base) noexcept {
+  auto& job = static_cast<MorphJob&>(base);
+  job.cursor.begin();
+  job.plan.band_kind->paint(job.band, job.cursor, job.points, job.points_end);
+}
+
+constexpr detail::Source kMorphSource = {prepare_morph, fill_morph,
+                                         sizeof(MorphJob), false};
+
+// The pairs of a font. Safe on any bytes: what lies outside is 0.
+class MorphTable {
+ public:
+  explicit MorphTable(const Font& font) noexcept
+      : section_(font.section(format::section::kMorphs)) {
+    if (section_.size < morphs::kBytes) {
+      return;
+    }
+    glyph_bits_ = section_.data[morphs::kGlyphBits];
+    offset_bits_ = section_.data[morphs::kOffsetBits];
+    row_bits_ = 2 * glyph_bits_ + offset_bits_;
+    const uint32_t count = detail::load_u16(section_.data + morphs::kPairs);
+    if (glyph_bits_ <= morphs::kMaxGlyphBits &&
+        detail::bits_fit(section_, morphs::kBytes, count * row_bits_)) {
+      count_ = count;
+    }
+  }
+
+  // Empty: there is none.
+  Span<const uint8_t> find(uint32_t first, uint32_t second) const noexcept {
+    uint32_t begin = 0;
+    uint32_t end = count_;
+    while (begin < end) {
+      const uint32_t middle = (begin + end) / 2;
+      const uint32_t a = number(middle, 0, glyph_bits_);
+      const uint32_t b = number(middle, glyph_bits_, glyph_bits_);
+      if (a == first && b == second) {
+        return record(middle);
+      }
+      if (a < first || (a == first && b < second)) {
+        begin = middle + 1;
+      } else {
+        end = middle;
+      }
+    }
+    return {};
+  }
+
+ private:
+  uint32_t number(uint32_t row, uint32_t bit, uint32_t width) const noexcept {
+    return detail::read_bits(section_,
+                             8 * morphs::kBytes + row * row_bits_ + bit, width);
+  }
+  // From the end of the table. [bytes]
+  uint32_t offset(uint32_t row) const noexcept {
+    return number(row, 2 * glyph_bits_, offset_bits_);
+  }
+  Span<const uint8_t> record(uint32_t row) const noexcept {
+    const uint32_t table = morphs::kBytes + (count_ * row_bits_ + 7) / 8;
+    const auto size = static_cast<uint32_t>(section_.size) - table;
+    const uint32_t begin = offset(row);
+    const uint32_t end = row + 1 == count_ ? size : offset(row + 1);
+    if (begin >= end || end > size) {
+      return {};
+    }
+    return {section_.data + table + begin, end - begin};
+  }
+
+  Span<const uint8_t> section_;
+  uint32_t count_ = 0;
+  uint32_t glyph_bits_ = 0;
+  uint32_t offset_bits_ = 0;
+  uint32_t row_bits_ = 0;
+};
+
+int32_t to_q10(Q16_16 progress) noexcept {
+  return clamp(progress.raw, 0, 1 << 16) >> 6;
+}
+
+}  // namespace
+
+Status OutlineMorph::open(const Font& font,
+                          uint16_t from,
+                          uint16_t to,
+                          OutlineMorph& out) noexcept {
+  if (from >= font.glyph_count() || to >= font.glyph_count()) {
+    return Status::no_glyph;
+  }
+  OutlineMorph found;
+  if (from != to) {
+    found.record_ =
+        MorphTable(font).find(from < to ? from : to, from < to ? to : from);
+    if (found.record_.size == 0 || !font.has_outlines()) {
+      return Status::no_glyph;
+    }
+  }
+  found.font_ = &font;
+  found.from_ = from;
+  found.to_ = to;
+  out = found;
+  return Status::ok;
+}
+
+bool OutlineMorph::draw_between(const Painter& painter,
+                                const Style& style,
+                                Point origin,
+                                Q16_16 progress,
+                                MorphPoints* points,
+                                Rect* box) const noexcept {
+  const int32_t progress_q10 = to_q10(progress);
+  if (font_ == nullptr || from_ == to_ || progress_q10 == 0 ||
+      progress_q10 == kOneQ10) {
+    return false;
+  }
+  const bool is_reverse = from_ > to_;
+  const Morphing morphing = {
+      font_,
+      record_,
+      {is_reverse ? to_ : from_, is_reverse ? from_ : to_},
+      is_reverse ? kOneQ10 - progress_q10 : progress_q10,
+      points};
+  const GlyphRef ref = {&kMorphSource, &morphing, 0};
+  Placed placed;
+  if (!placed.set(origin)) {
+    return true;
+  }
+  if (box != nullptr) {
+    *box = detail::band_box(ref, style, placed);
+  } else {
+    detail::draw_bands(ref, style, placed, painter.sink(), painter.ram());
+  }
+  return true;
+}
+
+void OutlineMorph::draw(const Painter& painter,
+                        const Style& style,
+                        Point origin,
+                        Q16_16 progress) const noexcept {
+  if (!draw_between(painter, style, origin, progress, nullptr, nullptr) &&
+      font_ != nullptr) {
+    painter.glyph(*font_, style, origin, end_at(progress));
+  }
+}
+
+Rect OutlineMorph::box(const Style& style,
+                       Point origin,
+                       Q16_16 progress) const noexcept {
+  Rect box;
+  if (!draw_between(Painter(), style, origin, progress, nullptr, &box) &&
+      font_ != nullptr) {
+    box = Painter().glyph_box(*font_, style, origin, end_at(progress));
+  }
+  return box;
+}
+
+uint16_t OutlineMorph::end_at(Q16_16 progress) const noexcept {
+  return to_q10(progress) < kOneQ10 ? from_ : to_;
+}
+
+void MorphFrame::draw(const Painter& painter) noexcept {
+  if (!morph_.draw_between(painter, style_, origin_, progress_, &points_,
+                           nullptr)) {
+    morph_.draw(painter, style_, origin_, progress_);
+  }
+}
+
+size_t OutlineMorph::workspace_bytes(const Font& font) noexcept {
+  const Span<const uint8_t> section = font.section(format::section::kMorphs);
+  const size_t points =
+      section.size < morphs::kBytes
+          ? 0
+          : detail::load_u16(section.data + morphs::kMaxPoints);
+  constexpr size_t kOther =
+      sizeof(MorphJob) + detail::kLeastBand + alignof(MorphJob);
+  constexpr size_t kLeast = detail::kLeastFittedRam + alignof(MorphJob);
+  const size_t bytes = points * sizeof(ScreenPoint) + kOther;
+  return bytes < kLeast ? kLeast : bytes;
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
