@@ -9,7 +9,7 @@
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [INSTANCE <name>] [AXIS <tag=value>...]    of a variable font
-#     [CODING outline|field] [HINTS on|off]
+#     [CODING outline|field] [HINTS on|off] [MORPH <characters>...]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
 #     [MERGE <file>[:<setting>,...][=<list>]...]    more faces, in order of
@@ -203,7 +203,7 @@ function(inkcell_add_font target)
     HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
     SVG_BASELINE)
   set(several
-    CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MERGE SVG SVG_DIR)
+    CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
   cmake_parse_arguments(
     PARSE_ARGV 1 arg "BEST_EFFORT;STRICT;NO_LAYOUT_GLYPHS" "${single}" "${several}")
   if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
@@ -285,7 +285,7 @@ function(inkcell_add_font target)
   if(arg_NO_LAYOUT_GLYPHS)
     list(APPEND options --no-layout-glyphs)
   endif()
-  foreach(word CHARS AXIS)
+  foreach(word CHARS AXIS MORPH)
     string(TOLOWER "--${word}" option)
     foreach(value IN LISTS arg_${word})
       list(APPEND options "${option}=${value}")

@@ -56,9 +56,10 @@ GENERATOR = {
     "field": "shape target",
     "outlines": "shape source",
     "hints": "shape",
+    "morph": "base shape",
     "rom": "shape source target field outlines hints",
     "judge": "shape source target field outlines hints rom",
-    "pipeline": "shape source texts target field outlines hints rom judge",
+    "pipeline": "shape source texts target field outlines hints morph rom judge",
     "app": "source target pipeline",
 }
 

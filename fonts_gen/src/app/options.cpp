@@ -162,6 +162,12 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
   add_choice<bool>(
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting of outlines needs: zones, bars, stems and more");
+  take_one(app.add_option("--morph", request.morphs,
+                          "(outline) Characters whose outlines morph into "
+                          "each other, each into each: 0123456789; groups are "
+                          "parted by blanks: '01 12 23'; about 30 bytes a "
+                          "pair; repeatable"))
+      ->type_name("STRING");
   app.add_option("--effort", target.effort,
                  "(field) How hard to try for fewer bytes; outlines have no "
                  "use for it")

@@ -177,6 +177,9 @@ std::string report_for_people(const FontReport& report) {
   part("metrics", bytes.metrics);
   part("kerning", bytes.kerning);
   part("hints", bytes.hints);
+  if (bytes.morphs != 0) {
+    part("morphs", bytes.morphs);
+  }
   part("glyphs", bytes.glyphs);
   part("name", bytes.name);
   part("total", bytes.total());
@@ -241,6 +244,7 @@ std::string report_as_json(const FontReport& report) {
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
+                   {"morphs", bytes.morphs},
                    {"glyphs", bytes.glyphs},   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;

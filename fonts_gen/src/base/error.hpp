@@ -39,6 +39,7 @@ struct Warning {
     unused_face,         // a merged face gives no character
     face_taken,          // the first of several, since none was chosen
     default_instance,    // a variable font is converted at its defaults
+    no_morph,            // a pair of glyphs has no morph
   };
   Kind kind;
   std::string text;

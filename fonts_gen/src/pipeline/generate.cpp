@@ -9,6 +9,7 @@
 #include "judge/closed_loop.hpp"
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
+#include "pipeline/font_morphs.hpp"
 #include "pipeline/missing.hpp"
 #include "rom/rom_font.hpp"
 #include "source/faces.hpp"
@@ -128,6 +129,7 @@ RomFont generate(const GenerateRequest& request) {
   }
   std::vector<LoopResult> errors;
   RomContent content = build_content(font, request, errors);
+  add_morphs(request, content, rom.warnings);
   // A font promises what it holds.
   content.options.tolerance = promised_tolerance(request.target, errors);
   PartBytes parts;

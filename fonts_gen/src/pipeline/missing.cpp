@@ -57,9 +57,13 @@ std::string place_of(const GenerateRequest& request,
     place = place_in_text(request.text_files[i], c);
   }
   if (place.empty()) {
-    const bool is_symbol =
-        request.symbols.find(to_utf8(c)) != std::string::npos;
-    place = is_symbol               ? "--symbols: "
+    const auto has = [c](const std::string& text) {
+      return text.find(to_utf8(c)) != std::string::npos;
+    };
+    const bool is_morph =
+        std::any_of(request.morphs.begin(), request.morphs.end(), has);
+    place = has(request.symbols)    ? "--symbols: "
+            : is_morph              ? "--morph: "
             : request.merge.empty() ? "--chars: "
                                     : "--chars or --merge: ";
   }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "pipeline/font_morphs.hpp"
 #include "source/faces.hpp"
 #include "texts/c_literals.hpp"
 #include "texts/file_pattern.hpp"
@@ -75,6 +76,10 @@ void check_request(const GenerateRequest& request) {
   if (target.effort < 0 || target.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
+  if (target.coding != Coding::outline && !request.morphs.empty()) {
+    throw Error(
+        "--morph moves outlines; use --coding outline, or leave it out");
+  }
   if (target.coding != Coding::field && target.predicate == Predicate::fixed) {
     throw Error(
         "--predicate fixed is the paper's, for its cells; use --coding "
@@ -123,9 +128,11 @@ CharSet characters_of(const GenerateRequest& request) {
     }
   }
   add_text(request.symbols, "--symbols", characters);
+  add_morph_characters(request, characters);
   const bool asked = !request.chars.empty() || !request.text_files.empty() ||
                      !request.strings_from.empty() ||
-                     !request.symbols.empty() || !request.string_files.empty();
+                     !request.symbols.empty() || !request.morphs.empty() ||
+                     !request.string_files.empty();
   if (!asked) {
     add_ranges(kDefaultChars, characters);
   }

@@ -55,6 +55,9 @@ struct GenerateRequest {
   GenerateRequest() { target.coding = Coding::outline; }
   /// Whether an outline font says what grid fitting needs.
   bool hints = true;
+  /// Groups of characters, UTF-8, parted by blanks: all of a group morph into
+  /// each other.
+  std::vector<std::string> morphs;
   /// Whether generate() throws if a glyph misses the tolerance. If not, the
   /// glyph gets its best outline, and a warning names it.
   bool tolerance_is_limit = false;

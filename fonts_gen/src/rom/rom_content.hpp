@@ -39,6 +39,14 @@ struct OutlineCoding {
   std::vector<uint16_t> table;
 };
 
+/// A pair of glyphs whose outlines become each other.
+struct RomMorph {
+  uint16_t first = 0;  // the lesser id
+  uint16_t second = 0;
+  std::vector<uint8_t> record;
+  int points = 0;  // of both glyphs and of the outline between them, at most
+};
+
 /// Everything that a ROM font says, before it is written.
 struct RomContent {
   std::string name;
@@ -49,6 +57,7 @@ struct RomContent {
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
   FontHints hints;  // of outlines only
+  std::vector<RomMorph> morphs;  // ascending by first and second
 };
 
 }  // namespace inkcell::gen

@@ -269,6 +269,44 @@ Bytes code_section(const RomContent& content) {
   return out;
 }
 
+Bytes morphs_section(const RomContent& content) {
+  namespace morphs = format::morphs;
+  Bytes out;
+  if (content.morphs.empty()) {
+    return out;
+  }
+  uint32_t greatest = 0;
+  int points = 0;
+  Bytes records;
+  std::vector<uint32_t> begins;
+  for (const RomMorph& morph : content.morphs) {
+    greatest = std::max<uint32_t>(greatest, morph.second);
+    points = std::max(points, morph.points);
+    begins.push_back(static_cast<uint32_t>(records.size()));
+    records.insert(records.end(), morph.record.begin(), morph.record.end());
+  }
+  const unsigned glyph_bits = width_of(greatest);
+  const unsigned offset_bits = width_of(begins.back());
+  if (begins.size() > UINT16_MAX || points > UINT16_MAX ||
+      offset_bits > format::bit_table::kMaxBits) {
+    throw Error(content.name +
+                ": more than 65535 pairs of --morph; name fewer characters in "
+                "a group");
+  }
+  put_u16(out, static_cast<unsigned>(begins.size()));
+  put_u8(out, glyph_bits);
+  put_u8(out, offset_bits);
+  put_u16(out, static_cast<unsigned>(points));
+  BitTableWriter table(out);
+  for (size_t i = 0; i < begins.size(); ++i) {
+    table.put(content.morphs[i].first, glyph_bits);
+    table.put(content.morphs[i].second, glyph_bits);
+    table.put(begins[i], offset_bits);
+  }
+  out.insert(out.end(), records.begin(), records.end());
+  return out;
+}
+
 Bytes name_section(const RomContent& content) {
   Bytes out;
   for (const char c : content.name) {
@@ -387,6 +425,7 @@ std::vector<Section> make_sections(const RomContent& content) {
   add(section::kGrid, 0, grid_section(content.hints), &PartBytes::hints);
   add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
   add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::glyphs);
+  add(section::kMorphs, 0, morphs_section(content), &PartBytes::morphs);
   add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;
 }

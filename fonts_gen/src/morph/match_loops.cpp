@@ -1,0 +1,247 @@
+#include "morph/match_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "shape/points.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr double kPieceCost = 6;  // so that there are few
+constexpr double kStopCost = 3;   // of a stop within an edge
+
+// A way on from a stop: nothing, to a later stop of the edge, or to its end.
+struct Advance {
+  int stops = 0;
+  MorphSide side;
+  double length = 0;
+  bool is_cut = false;
+};
+
+using Advances = std::vector<std::vector<Advance>>;
+
+MorphSide side_to(const LoopEdge& edge, int from, int to) {
+  MorphSide side;
+  const LoopEdge part = edge.is_jump ? edge : part_of(edge, from, to);
+  std::copy(std::begin(part.p), std::end(part.p), std::begin(side.p));
+  if (edge.is_jump) {
+    side.move = MorphMove::jump;
+    side.target = edge.target;
+  } else if (to == 8) {
+    side.move = MorphMove::to_end;
+  } else {
+    side.move = MorphMove::to_stop;
+    side.eighth = to;
+  }
+  return side;
+}
+
+Advances advances_of(const Loop& loop, const std::vector<LoopStop>& stops) {
+  Advances all(stops.size());
+  const size_t n = stops.size();
+  for (size_t i = 0; i < n; ++i) {
+    Advance none;
+    std::fill(std::begin(none.side.p), std::end(none.side.p), stops[i].at);
+    all[i].push_back(none);
+    const LoopEdge& edge = loop[static_cast<size_t>(stops[i].edge)];
+    for (size_t k = 1;; ++k) {
+      const bool is_end = i + k == n || stops[i + k].edge != stops[i].edge;
+      Advance next;
+      next.stops = static_cast<int>(k);
+      next.side = side_to(edge, stops[i].eighth,
+                          is_end ? edge.to : stops[i + k].eighth);
+      next.length = length_of(next.side.p);
+      next.is_cut = !is_end;
+      all[i].push_back(next);
+      if (is_end) {
+        break;
+      }
+    }
+  }
+  return all;
+}
+
+size_t most_advances(const Advances& all) {
+  size_t most = 0;
+  for (const auto& list : all) {
+    most = std::max(most, list.size());
+  }
+  return most;
+}
+
+double cost_of(const Point (&a)[3],
+               const Point (&b)[3],
+               double length_a,
+               double length_b,
+               double far_u) {
+  Point d[3];
+  for (size_t i = 0; i < 3; ++i) {
+    d[i] = a[i] - b[i];
+  }
+  // The integrals of the squares of a quadratic and of its derivative.
+  const double apart =
+      (dot(d[0], d[0]) + dot(d[2], d[2])) / 5 + dot(d[1], d[1]) * 2 / 15 +
+      (dot(d[0], d[1]) + dot(d[1], d[2])) / 5 + dot(d[0], d[2]) / 15;
+  const Point e0 = 2.0 * (d[1] - d[0]);
+  const Point e1 = 2.0 * (d[2] - d[1]);
+  const double bent = (dot(e0, e0) + dot(e0, e1) + dot(e1, e1)) / 3;
+  const double size = (length_a + length_b) / 2 + 1;
+  // Opposite directions collapse in the middle.
+  const double along = dot(a[2] - a[0], b[2] - b[0]);
+  const double turned = along < 0 ? 2 * std::sqrt(-along) : 0;
+  return apart * size / (far_u * far_u) + bent / size + turned;
+}
+
+// The table of the least costs, for one pair of starts after the other.
+class Matcher {
+ public:
+  Matcher(const Loop& a, const Loop& b, const MatchOptions& options)
+      : loops_{&a, &b},
+        stops_{stops_of(a, options.parts), stops_of(b, options.parts)},
+        advances_{advances_of(a, stops_[0]), advances_of(b, stops_[1])},
+        n_{stops_[0].size(), stops_[1].size()},
+        most_{most_advances(advances_[0]), most_advances(advances_[1])} {
+    costs_.resize(n_[0] * n_[1] * most_[0] * most_[1]);
+    for (size_t i = 0; i < n_[0]; ++i) {
+      for (size_t j = 0; j < n_[1]; ++j) {
+        fill(i, j, options.far_u);
+      }
+    }
+    for (const MatchOptions::Penalty& penalty : options.penalties) {
+      punish(penalty);
+    }
+  }
+
+  LoopMatch find() {
+    best_.cost = kInfinity;
+    for (size_t j = 0; j < n_[1]; ++j) {
+      const LoopStop& stop = stops_[1][j];
+      const LoopEdge& edge = (*loops_[1])[static_cast<size_t>(stop.edge)];
+      if (!edge.is_jump && (stop.eighth == edge.from || j % 2 == 0)) {
+        try_start(j);
+      }
+    }
+    return best_;
+  }
+
+ private:
+  float* costs(size_t i, size_t j) {
+    return costs_.data() + (i * n_[1] + j) * most_[0] * most_[1];
+  }
+
+  void fill(size_t i, size_t j, double far_u) {
+    float* const at = costs(i, j);
+    for (size_t x = 0; x < advances_[0][i].size(); ++x) {
+      for (size_t y = 0; y < advances_[1][j].size(); ++y) {
+        const Advance& a = advances_[0][i][x];
+        const Advance& b = advances_[1][j][y];
+        at[x * most_[1] + y] = static_cast<float>(
+            cost_of(a.side.p, b.side.p, a.length, b.length, far_u) +
+            kPieceCost + (a.is_cut ? kStopCost : 0) +
+            (b.is_cut ? kStopCost : 0));
+      }
+    }
+  }
+
+  void punish(const MatchOptions::Penalty& penalty) {
+    const auto i = static_cast<size_t>(penalty.stop[0]) % n_[0];
+    const auto j = static_cast<size_t>(penalty.stop[1]) % n_[1];
+    float* const at = costs(i, j);
+    for (size_t k = 0; k < most_[0] * most_[1]; ++k) {
+      at[k] += static_cast<float>(penalty.cost);
+    }
+  }
+
+  void try_start(size_t start) {
+    const size_t n = n_[0];
+    const size_t m = n_[1];
+    const size_t width = m + 1;
+    const float far = static_cast<float>(best_.cost);
+    sums_.assign((n + 1) * width, std::numeric_limits<float>::infinity());
+    from_.assign((n + 1) * width, 0);
+    sums_[0] = 0;
+    for (size_t i = 0; i <= n; ++i) {
+      for (size_t j = 0; j <= m; ++j) {
+        const float sum = sums_[i * width + j];
+        if (sum >= far) {
+          continue;
+        }
+        const size_t a = i % n;
+        const size_t b = (j + start) % m;
+        const float* const prices = costs(a, b);
+        const size_t ways_a = i == n ? 1 : advances_[0][a].size();
+        const size_t ways_b = j == m ? 1 : advances_[1][b].size();
+        for (size_t x = 0; x < ways_a; ++x) {
+          for (size_t y = x == 0 ? 1 : 0; y < ways_b; ++y) {
+            const size_t next = (i + x) * width + j + y;
+            if (j + y > m) {
+              break;  // beyond the start of the second loop
+            }
+            const float price = sum + prices[x * most_[1] + y];
+            if (price < sums_[next]) {
+              sums_[next] = price;
+              from_[next] = static_cast<uint16_t>(x * 256 + y);
+            }
+          }
+        }
+      }
+    }
+    const float sum = sums_[n * width + m];
+    if (sum < far) {
+      keep(sum, start);
+    }
+  }
+
+  void keep(double cost, size_t start) {
+    best_.cost = cost;
+    MorphContour& contour = best_.contour;
+    contour = MorphContour();
+    for (size_t k = 0; k < 2; ++k) {
+      const LoopStop& stop = stops_[k][k == 0 ? 0 : start];
+      contour.start[k] = {(*loops_[k])[static_cast<size_t>(stop.edge)].segment,
+                          stop.eighth};
+    }
+    size_t i = n_[0];
+    size_t j = n_[1];
+    while (i + j != 0) {
+      const size_t way = from_[i * (n_[1] + 1) + j];
+      i -= way / 256;
+      j -= way % 256;
+      const size_t a = i % n_[0];
+      const size_t b = (j + start) % n_[1];
+      MorphPiece piece;
+      piece.side[0] = advances_[0][a][way / 256].side;
+      piece.side[1] = advances_[1][b][way % 256].side;
+      piece.stop[0] = static_cast<int>(a);
+      piece.stop[1] = static_cast<int>(b);
+      contour.pieces.push_back(piece);
+    }
+    std::reverse(contour.pieces.begin(), contour.pieces.end());
+  }
+
+  const Loop* loops_[2];
+  std::vector<LoopStop> stops_[2];
+  Advances advances_[2];
+  size_t n_[2];
+  size_t most_[2];
+  std::vector<float> costs_;
+  std::vector<float> sums_;
+  std::vector<uint16_t> from_;
+  LoopMatch best_;
+};
+
+}  // namespace
+
+double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
+  return kPieceCost + cost_of(a, b, length_of(a), length_of(b), far_u);
+}
+
+LoopMatch match_loops(const Loop& a,
+                      const Loop& b,
+                      const MatchOptions& options) {
+  return Matcher(a, b, options).find();
+}
+
+}  // namespace inkcell::gen

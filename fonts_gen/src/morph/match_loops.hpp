@@ -1,0 +1,39 @@
+// Two loops piece by piece: which part of one becomes which part of the other.
+#pragma once
+
+#include <vector>
+
+#include "morph/morph_loop.hpp"
+
+namespace inkcell::gen {
+
+/// A move as far as this costs as much as vanishing.
+inline constexpr double kUsualFar_u = 250;
+
+struct MatchOptions {
+  int parts = 4;  // of a long edge, see stops_of()
+  double far_u = kUsualFar_u;
+  /// Stops of both loops where pieces shall not begin, with their price.
+  struct Penalty {
+    int stop[2];
+    double cost;
+  };
+  std::vector<Penalty> penalties;
+};
+
+struct LoopMatch {
+  double cost = 0;
+  MorphContour contour;
+};
+
+/// The pieces with the least sum of costs (dynamic programming over the stops
+/// of both loops). A piece is dear if its parts are far apart, or differ in
+/// length or direction.
+LoopMatch match_loops(const Loop& a,
+                      const Loop& b,
+                      const MatchOptions& options);
+
+/// The cost of a piece, without penalties.
+double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u);
+
+}  // namespace inkcell::gen

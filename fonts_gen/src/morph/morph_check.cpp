@@ -1,0 +1,180 @@
+#include "morph/morph_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "morph/morph_loop.hpp"
+#include "shape/points.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+struct Chord {
+  Point a;
+  Point b;
+  size_t contour;
+  size_t piece;
+};
+
+Point mixed(const Point& a, const Point& b, double t) {
+  return (1 - t) * a + t * b;
+}
+
+// A side's point at a progress: slits lengthen.
+Point placed(const MorphContour& contour,
+             const MorphPiece& piece,
+             size_t side,
+             size_t i,
+             double progress) {
+  const Point& p = piece.side[side].p[i];
+  if (contour.missing != static_cast<int>(side)) {
+    return p;
+  }
+  const double since = side == 0 ? progress : 1 - progress;
+  return mixed(contour.slit_middle, p, slit_length(since));
+}
+
+bool cross_each_other(const Chord& s, const Chord& t) {
+  if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) ||
+      std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
+      std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) ||
+      std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y)) {
+    return false;
+  }
+  const Point u = s.b - s.a;
+  const Point v = t.b - t.a;
+  // Touching is not crossing.
+  const double slack = std::max(1e-6 * length(u) * length(v), 1e-9);
+  const auto apart = [slack](double x, double y) {
+    return (x > slack && y < -slack) || (x < -slack && y > slack);
+  };
+  return apart(cross(u, t.a - s.a), cross(u, t.b - s.a)) &&
+         apart(cross(v, s.a - t.a), cross(v, s.b - t.a));
+}
+
+double area_of(const MorphPolygons& polygons) {
+  double twice = 0;
+  for (const auto& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    }
+  }
+  return twice / 2;
+}
+
+void add_crossings(const MorphPolygons& polygons,
+                   int chords,
+                   std::vector<MorphCrossing>& out) {
+  std::vector<Chord> all;
+  for (size_t c = 0; c < polygons.size(); ++c) {
+    const auto& polygon = polygons[c];
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Chord chord = {polygon[i], polygon[(i + 1) % polygon.size()], c,
+                           i / static_cast<size_t>(chords)};
+      if (length(chord.b - chord.a) > 1e-6) {
+        all.push_back(chord);
+      }
+    }
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t j = i + 1; j < all.size(); ++j) {
+      if (cross_each_other(all[i], all[j])) {
+        out.push_back(
+            {{all[i].contour, all[j].contour}, {all[i].piece, all[j].piece}});
+      }
+    }
+  }
+}
+
+double greatest_depth(const MorphPolygons& polygons) {
+  constexpr double kStep_u = 20;
+  Point low = {kInfinity, kInfinity};
+  Point high = {-kInfinity, -kInfinity};
+  for (const auto& polygon : polygons) {
+    for (const Point& p : polygon) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  double most = 0;
+  for (double x = low.x; x < high.x; x += kStep_u) {
+    for (double y = low.y; y < high.y; y += kStep_u) {
+      most = std::max(most, depth_at(polygons, {x, y}));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+MorphPolygons morph_polygons(const MorphPair& pair,
+                             double progress,
+                             int chords) {
+  MorphPolygons out;
+  for (const MorphContour& contour : pair.contours) {
+    std::vector<Point> polygon;
+    for (const MorphPiece& piece : contour.pieces) {
+      Point p[3];
+      for (size_t i = 0; i < 3; ++i) {
+        p[i] = mixed(placed(contour, piece, 0, i, progress),
+                     placed(contour, piece, 1, i, progress), progress);
+      }
+      for (int i = 0; i < chords; ++i) {
+        polygon.push_back(point_at(p, static_cast<double>(i) / chords));
+      }
+    }
+    out.push_back(std::move(polygon));
+  }
+  return out;
+}
+
+MorphQuality quality_of(const MorphPair& pair) {
+  constexpr int kChords = 5;
+  MorphQuality quality;
+  std::vector<double> areas;
+  for (int i = 0; i <= kMorphSteps; ++i) {
+    const MorphPolygons polygons =
+        morph_polygons(pair, static_cast<double>(i) / kMorphSteps, kChords);
+    areas.push_back(area_of(polygons));
+    if (i != 0 && i != kMorphSteps) {
+      add_crossings(polygons, kChords, quality.crossings);
+    }
+  }
+  const double sign = areas.back() >= areas.front() ? 1 : -1;
+  double top = -kInfinity;
+  for (const double area : areas) {
+    top = std::max(top, sign * area);
+    quality.area_error = std::max(quality.area_error, top - sign * area);
+  }
+  quality.area_error /=
+      std::max({std::abs(areas.front()), std::abs(areas.back()), 1.0});
+  return quality;
+}
+
+double thickening_of(const MorphPair& pair) {
+  constexpr int kChords = 3;
+  const auto depth = [&pair](double progress) {
+    return greatest_depth(morph_polygons(pair, progress, kChords));
+  };
+  const double ends = std::max({depth(0), depth(1), 1.0});
+  return std::max({depth(0.25), depth(0.5), depth(0.75)}) / ends;
+}
+
+double depth_at(const MorphPolygons& polygons, const Point& at) {
+  double nearest = kInfinity;
+  bool is_inside = false;
+  for (const auto& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Point& a = polygon[i];
+      const Point& b = polygon[(i + 1) % polygon.size()];
+      nearest = std::min(nearest, squared_distance_to_segment(at, a, b));
+      if ((a.y > at.y) != (b.y > at.y) &&
+          at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+        is_inside = !is_inside;
+      }
+    }
+  }
+  return is_inside ? std::sqrt(nearest) : -std::sqrt(nearest);
+}
+
+}  // namespace inkcell::gen

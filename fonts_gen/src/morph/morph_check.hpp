@@ -1,0 +1,42 @@
+// Whether a morph keeps its shape on the way.
+#pragma once
+
+#include <vector>
+
+#include "morph/morph_pair.hpp"
+
+namespace inkcell::gen {
+
+using MorphPolygons = std::vector<std::vector<Point>>;
+
+/// The contours at a progress of 0..1, each piece as `chords` lines. [u]
+MorphPolygons morph_polygons(const MorphPair& pair,
+                             double progress,
+                             int chords);
+
+/// Steps at which a morph is looked at, with both ends.
+inline constexpr int kMorphSteps = 16;
+
+/// Pieces that cross on the way.
+struct MorphCrossing {
+  size_t contour[2];
+  size_t piece[2];
+};
+
+struct MorphQuality {
+  std::vector<MorphCrossing> crossings;  // of all steps between the ends
+  /// The most that the area falls on its way up, or rises on its way down, of
+  /// the greater area.
+  double area_error = 0;
+};
+
+MorphQuality quality_of(const MorphPair& pair);
+
+/// How much farther from the edge the ink reaches on the way than at the ends:
+/// above 1, strokes run together.
+double thickening_of(const MorphPair& pair);
+
+/// The distance to the nearest edge; negative outside.
+double depth_at(const MorphPolygons& polygons, const Point& at);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,298 @@
+// Morphs of digits: from font files to section MORP, and to pixels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "glyph_outlines.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/format/rom.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/port/a8.hpp"
+#include "morph/find_morph.hpp"
+#include "morph_reader.hpp"
+#include "outline_reader.hpp"
+#include "outlines/outline_steps.hpp"
+#include "pipeline/generate.hpp"
+#include "shape/points.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+using kinetic::OutlineMorph;
+using Polygons = std::vector<std::vector<Point>>;
+
+constexpr int kSteps = 16;
+constexpr int kSide = 104;  // of a canvas [px]
+constexpr Q26_6 kSize = Q26_6::from_int(96);
+constexpr inkcell::Point kOrigin = {16, 84};
+
+const char* const kFaces[] = {
+    kDejaVuSans, "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf",
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", kLiberationSerif,
+    kRoboto};
+
+std::vector<uint8_t> bytes_of(Span<const uint8_t> span) {
+  return {span.begin(), span.end()};
+}
+
+bool cross_each_other(const Point& a,
+                      const Point& b,
+                      const Point& c,
+                      const Point& d) {
+  const auto side = [](const Point& from, const Point& to, const Point& at) {
+    return cross(to - from, at - from);
+  };
+  constexpr double kSlack = 1e-3;  // twice an area [grid units]
+  const auto apart = [](double x, double y) {
+    return std::min(x, y) < -kSlack && std::max(x, y) > kSlack;
+  };
+  return apart(side(a, b, c), side(a, b, d)) &&
+         apart(side(c, d, a), side(c, d, b));
+}
+
+int crossings(const Polygons& polygons) {
+  std::vector<std::pair<Point, Point>> edges;
+  for (const auto& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      edges.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
+    }
+  }
+  int count = 0;
+  for (size_t i = 0; i < edges.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      count += cross_each_other(edges[i].first, edges[i].second, edges[j].first,
+                                edges[j].second)
+                   ? 1
+                   : 0;
+    }
+  }
+  return count;
+}
+
+double area(const Polygons& polygons) {
+  double twice = 0;
+  for (const auto& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    }
+  }
+  return twice / 2;
+}
+
+// How far a series is from one that only rises or only falls.
+double detour(const std::vector<double>& values) {
+  const double sign = values.back() >= values.front() ? 1 : -1;
+  double top = sign * values.front();
+  double most = 0;
+  for (const double value : values) {
+    top = std::max(top, sign * value);
+    most = std::max(most, top - sign * value);
+  }
+  return most / std::max(std::abs(values.front()), std::abs(values.back()));
+}
+
+// A font in memory at a multiple of 4, and its outlines.
+struct Digits {
+  explicit Digits(const std::string& file, const std::string& morphs) {
+    GenerateRequest request;
+    request.font = file;
+    request.chars = {"0-9"};
+    request.target.max_px = 96;
+    request.morphs = {morphs};
+    const RomFont rom = generate(request);
+    warnings = rom.warnings;
+    words.resize(rom.bytes.size() / 4 + 1);
+    auto* const bytes = reinterpret_cast<uint8_t*>(words.data());
+    std::copy(rom.bytes.begin(), rom.bytes.end(), bytes);
+    EXPECT_EQ(Font::open({bytes, rom.bytes.size()}, font), Status::ok);
+  }
+
+  MinimalOutline outline_of(int glyph) const {
+    const auto id = static_cast<uint16_t>(glyph);
+    GlyphMetrics metrics;
+    EXPECT_EQ(font.glyph_metrics(id, metrics), Status::ok);
+    std::vector<uint16_t> table;
+    const Span<const uint8_t> code = font.section(format::section::kCode);
+    for (size_t i = 0; i + 1 < code.size; i += 2) {
+      table.push_back(static_cast<uint16_t>(code[i] | code[i + 1] << 8));
+    }
+    const auto grid_shift =
+        static_cast<int8_t>(font.rom()[format::header::kGridShift]);
+    return read_outline(bytes_of(font.record(id)), table,
+                        record_start(metrics.x_min, metrics.y_min, grid_shift),
+                        10000);
+  }
+
+  std::vector<uint32_t> words;
+  Font font;
+  Warnings warnings;
+};
+
+// The coverage of a frame. [px]
+double ink(const OutlineMorph& morph, int step) {
+  alignas(4) static uint8_t ram[4096];
+  static uint8_t pixels[kSide * kSide];
+  std::fill(std::begin(pixels), std::end(pixels), uint8_t{0});
+  const port::A8Canvas canvas({pixels, 0, 0, kSide, kSide, kSide});
+  morph.draw(Painter(canvas, Span<uint8_t>(ram)), Style(kSize), kOrigin,
+             Q16_16::from_raw(step * 65536 / kSteps));
+  double sum = 0;
+  for (const uint8_t pixel : pixels) {
+    sum += pixel / 255.0;
+  }
+  return sum;
+}
+
+// Figures of all pairs of digits of a face: they are printed.
+class DigitMorphs : public testing::TestWithParam<const char*> {};
+
+TEST_P(DigitMorphs, KeepTheirAreaAndDoNotCross) {
+  const char* const file = GetParam();
+  const Digits digits(file, "0123456789");
+  const std::vector<uint8_t> section =
+      bytes_of(digits.font.section(format::section::kMorphs));
+  const std::vector<MorphEntry> pairs = read_morphs(section);
+  double worst_area = 0;
+  double worst_ink = 0;
+  int above = 0;
+  for (const MorphEntry& pair : pairs) {
+    const std::string name = std::string(file) + ", glyphs " +
+                             std::to_string(pair.first) + " and " +
+                             std::to_string(pair.second);
+    const MinimalOutline first = digits.outline_of(pair.first);
+    const MinimalOutline second = digits.outline_of(pair.second);
+    OutlineMorph morph;
+    ASSERT_EQ(OutlineMorph::open(digits.font, static_cast<uint16_t>(pair.first),
+                                 static_cast<uint16_t>(pair.second), morph),
+              Status::ok)
+        << name;
+    std::vector<double> areas;
+    std::vector<double> inks;
+    for (int step = 0; step <= kSteps; ++step) {
+      const Polygons polygons = read_morph(
+          pair.record, first, second, static_cast<double>(step) / kSteps, 5);
+      areas.push_back(area(polygons));
+      inks.push_back(ink(morph, step));
+      for (const auto& polygon : polygons) {
+        ASSERT_FALSE(polygon.empty()) << name << ": a contour is open";
+      }
+      if (step != 0 && step != kSteps) {
+        ASSERT_EQ(crossings(polygons), 0) << name << ", step " << step;
+      }
+    }
+    const double error = detour(areas);
+    worst_area = std::max(worst_area, error);
+    worst_ink = std::max(worst_ink, detour(inks));
+    above += error > kGoodAreaError ? 1 : 0;
+    EXPECT_LE(error, kMostAreaError + 0.001) << name;
+    EXPECT_LE(detour(inks), kMostAreaError + 0.02) << name;
+  }
+  std::printf(
+      "%s: %zu of 45 pairs, %zu bytes, area off by %.1f %% at worst, %d "
+      "pairs by more than 3 %%, ink by %.1f %%\n",
+      file, pairs.size(), section.size(), 100 * worst_area, above,
+      100 * worst_ink);
+  EXPECT_GE(pairs.size(), 43u) << file;
+  EXPECT_LE(section.size(), 60 * pairs.size()) << file;
+}
+
+INSTANTIATE_TEST_SUITE_P(Faces, DigitMorphs, testing::ValuesIn(kFaces));
+
+TEST(Morph, RecordIsThatOfTheDocument) {
+  // A contour of two triangles.
+  const std::vector<uint8_t> record = {0x34, 0x19, 0x08};
+  const MinimalOutline first = {
+      {{{{0, 0, kCorner}, {100, 0, kCorner}, {0, 100, kCorner}}}}};
+  const MinimalOutline second = {
+      {{{{0, 300, kCorner}, {200, 100, kCorner}, {300, 300, kCorner}}}}};
+  const Polygons middle = read_morph(record, first, second, 0.5, 1);
+  ASSERT_EQ(middle.size(), 1u);
+  ASSERT_EQ(middle[0].size(), 3u);
+  // From 0, 0 and 200, 100 on.
+  EXPECT_EQ(middle[0][0].x, 100);
+  EXPECT_EQ(middle[0][0].y, 50);
+  EXPECT_EQ(middle[0][1].x, 200);
+  EXPECT_EQ(middle[0][1].y, 150);
+  EXPECT_EQ(middle[0][2].x, 0);
+  EXPECT_EQ(middle[0][2].y, 200);
+}
+
+TEST(Morph, GroupsArePairedAndTheRestIsNot) {
+  const Digits digits(kDejaVuSans, "01 23");
+  const auto opens = [&digits](char from, char to) {
+    OutlineMorph morph;
+    return OutlineMorph::open(
+               digits.font,
+               digits.font.glyph_or_notdef(static_cast<uint32_t>(from)),
+               digits.font.glyph_or_notdef(static_cast<uint32_t>(to)),
+               morph) == Status::ok;
+  };
+  EXPECT_TRUE(opens('0', '1'));
+  EXPECT_TRUE(opens('1', '0'));
+  EXPECT_TRUE(opens('2', '3'));
+  EXPECT_FALSE(opens('1', '2'));
+  EXPECT_FALSE(opens('0', '3'));
+}
+
+std::string refusal(const GenerateRequest& request) {
+  try {
+    generate(request);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Morph, RefusesWhatItCannotPair) {
+  GenerateRequest request;
+  request.font = kDejaVuSans;
+  request.morphs = {"12 3"};
+  EXPECT_EQ(refusal(request),
+            "--morph 3: a glyph morphs into another one; name at least two "
+            "characters, such as 01");
+  request.morphs = {"12"};
+  request.target.coding = Coding::field;
+  EXPECT_EQ(refusal(request),
+            "--morph moves outlines; use --coding outline, or leave it out");
+  request.target.coding = Coding::outline;
+  request.morphs = {"1\xee\x84\xa3"};  // U+E123
+  request.strict = true;
+  EXPECT_NE(refusal(request).find("--morph: "), std::string::npos);
+}
+
+// A triangle of three lines.
+Contour triangle(double x, double y) {
+  return polygon({{x, y}, {x + 300, y}, {x, y + 300}});
+}
+
+TEST(Morph, ContoursSplitAndJoin) {
+  // Two bars become one triangle, as pause becomes play.
+  const Outline pause =
+      outline({rectangle(100, 0, 300, 700), rectangle(450, 0, 650, 700)});
+  const Outline play = outline({polygon({{100, 0}, {700, 350}, {100, 700}})});
+  const std::optional<MorphPair> pair = find_morph(pause, play);
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->contours.size(), 1u);
+  EXPECT_TRUE(quality_of(*pair).crossings.empty());
+  // Two become two, the near ones each other.
+  const Outline left = outline({triangle(0, 0), triangle(400, 0)});
+  const Outline right = outline({triangle(420, 40), triangle(20, 40)});
+  const std::optional<MorphPair> both = find_morph(left, right);
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->contours.size(), 2u);
+  for (const MorphContour& contour : both->contours) {
+    for (const MorphPiece& piece : contour.pieces) {
+      EXPECT_LT(length(piece.side[0].p[0] - piece.side[1].p[0]), 50);
+    }
+  }
+}
+
+TEST(Morph, NothingMorphsIntoABlank) {
+  EXPECT_FALSE(find_morph(outline({triangle(0, 0)}), Outline()));
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
