@@ -15,6 +15,7 @@
 
 #include "apng.hpp"
 #include "app/progress.hpp"
+#include "clock_scene.hpp"
 #include "convert.hpp"
 #include "display.hpp"
 #include "files.hpp"
@@ -260,6 +261,9 @@ void run(Arguments& arguments, const CLI::App& app) {
   const std::string text = arguments.text.value_or(std::string(kind.text));
   if (app.count("--chars") == 0) {
     arguments.request.symbols += "0123456789:";
+  }
+  if (app.count("--morph") == 0 && arguments.scene == "clock") {
+    arguments.request.morphs = {scenes::ClockScene::kMorphs};
   }
   const RomFile rom = load_font_file(
       arguments.font, conversion_of(app, arguments.request), text);

@@ -544,6 +544,11 @@ def measure_kinetic(firmware, font):
             yield {"figure": "morph", **about, "px": px, "scale_log2": scale,
                    "instructions_mean": mean, "instructions_max": most,
                    "instructions_set": take, "stack": stack, "ram": ram}
+        elif what == "outline_morph":
+            px, mean, most, plain, stack = numbers
+            yield {"figure": "outline_morph", **about, "px": px,
+                   "instructions_mean": mean, "instructions_max": most,
+                   "instructions_plain": plain, "stack": stack}
         elif what == "particles":
             count, step, pull = numbers
             yield {"figure": "particles", **about, "particles": count,

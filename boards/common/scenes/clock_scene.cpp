@@ -2,6 +2,7 @@
 #include "clock_scene.hpp"
 
 #include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "inkcell/painter.hpp"
 
@@ -86,6 +87,8 @@ Status ClockScene::open() noexcept {
   for (int32_t i = 0; i < kDigits; ++i) {
     const uint16_t glyph = digit_glyphs_[digit_of(first_minute_, i)];
     INKCELL_TRY(digits_[i].set(glyph, glyph));
+    from_[i] = to_[i] = glyph;
+    progress_[i] = Q16_16();
   }
   set_frame(0);
   return Status::ok;
@@ -119,19 +122,33 @@ void ClockScene::set_frame(uint32_t frame) noexcept {
     const int32_t begin = (kDigits - 1 - i) * kStepMs;
     const Q16_16 progress =
         ease(kChange, fraction(begin, begin + kChangeMs, time_ms));
-    GlyphMorph& digit = digits_[i];
-    const Q16_16 last = digit.progress();
-    const uint16_t shown = last.raw == 0 ? digit.from() : digit.to();
+    const Q16_16 last = progress_[i];
+    const uint16_t shown = last.raw == 0 ? from_[i] : to_[i];
     const bool was_still = last.raw == 0 || last.raw == 1 << 16;
-    if (digit.from() != from || digit.to() != to) {
-      // They fit: open() has tried it.
-      static_cast<void>(digit.set(from, to));
+    if (from_[i] != from || to_[i] != to) {
+      set_digit(i, from, to);
     }
-    digit.step(from == to ? Q16_16::from_int(1) : progress, scratch_);
+    progress_[i] = from == to ? Q16_16::from_int(1) : progress;
+    if (!has_outlines_[i]) {
+      digits_[i].step(progress_[i], scratch_);
+    }
     const bool is_still =
         from == to || progress.raw == 0 || progress.raw == 1 << 16;
     const uint16_t shows = from == to || progress.raw != 0 ? to : from;
     has_changed_[i] = !(was_still && is_still && shown == shows);
+  }
+}
+
+void ClockScene::set_digit(int32_t digit, uint16_t from, uint16_t to) noexcept {
+  from_[digit] = from;
+  to_[digit] = to;
+  has_outlines_[digit] =
+      from != to &&
+      OutlineMorph::open(font_, from, to, outlines_[digit]) == Status::ok &&
+      OutlineMorph::workspace_bytes(font_) <= workspace_.size;
+  if (!has_outlines_[digit]) {
+    // They fit: open() has tried it.
+    static_cast<void>(digits_[digit].set(from, to));
   }
 }
 
@@ -140,6 +157,38 @@ Rect ClockScene::box_of(int32_t digit) const noexcept {
                     (digit >= 2 ? layout_.colon_px : 0);
   return {x, layout_.top, x + layout_.box.width,
           layout_.top + layout_.box.height};
+}
+
+// Where a digit on its way has its origin: glyphs are centred by their advance.
+Point ClockScene::origin_of(int32_t digit) const noexcept {
+  const Rect box = box_of(digit);
+  const Q26_6 size = Q26_6::from_int(layout_.size_px);
+  const auto advance_q6 = [&](uint16_t glyph) {
+    return to_px_q16(font_, size, font_.advance(glyph)).raw >> 10;
+  };
+  const int32_t before = advance_q6(from_[digit]);
+  const int32_t after = advance_q6(to_[digit]);
+  const auto middle = static_cast<int32_t>(
+      before + (int64_t{after - before} * progress_[digit].raw >> 16));
+  return {Q26_6::from_raw(box.x0 * 64 + (layout_.box.width * 64 - middle) / 2),
+          Q26_6::from_int(box.y0 + layout_.box.baseline)};
+}
+
+void ClockScene::draw_digit(int32_t digit,
+                            const Filter& filter,
+                            const Sink& sink) const noexcept {
+  const Rect box = box_of(digit);
+  if (!has_outlines_[digit]) {
+    digits_[digit].draw(box.x0, box.y0, filter, sink);
+    return;
+  }
+  Sink clipped = sink;
+  clipped.window = intersect(sink.window, box);
+  if (!is_empty(clipped.window)) {
+    outlines_[digit].draw(Painter(clipped, workspace_),
+                          Style(Q26_6::from_int(layout_.size_px), filter),
+                          origin_of(digit), progress_[digit]);
+  }
 }
 
 void ClockScene::draw_colon(const Paper& paper) const noexcept {
@@ -159,16 +208,14 @@ void ClockScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
   draw_colon(paper);
   for (int32_t i = 0; i < kDigits; ++i) {
-    const Rect box = box_of(i);
     // Hot at half the progress.
-    const int32_t part = digits_[i].progress().raw;
+    const int32_t part = progress_[i].raw;
     const int32_t heat =
         static_cast<int32_t>(int64_t{part} * (65536 - part) >> 22);  // to 256
     if (heat > 0 && layout_.size_px >= kGlowFromPx) {
-      digits_[i].draw(box.x0, box.y0, kGlowFilter,
-                      paper.with(mix_rgb(kBackground, kGlow, heat)));
+      draw_digit(i, kGlowFilter, paper.with(mix_rgb(kBackground, kGlow, heat)));
     }
-    digits_[i].draw(box.x0, box.y0, paper.with(mix_rgb(kInk, kHotInk, heat)));
+    draw_digit(i, kFilterMotion, paper.with(mix_rgb(kInk, kHotInk, heat)));
   }
 }
 
@@ -189,11 +236,11 @@ uint32_t ClockScene::next_due() const noexcept {
 }
 
 void ClockScene::tell_state(const StateSink& sink) const noexcept {
-  for (const GlyphMorph& digit : digits_) {
-    sink.tell(digit.from());
-    sink.tell(digit.to());
-    sink.tell(digit.progress().raw);
-    sink.tell(digit.cutoff().raw);
+  for (int32_t i = 0; i < kDigits; ++i) {
+    sink.tell(from_[i]);
+    sink.tell(to_[i]);
+    sink.tell(progress_[i].raw);
+    sink.tell(has_outlines_[i] ? 0 : digits_[i].cutoff().raw);
   }
 }
 

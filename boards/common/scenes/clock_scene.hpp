@@ -1,4 +1,5 @@
-// Scene `clock`: a minute takes a second and a half, and digits morph.
+// Scene `clock`: a minute takes a second and a half, and digits morph: by their
+// outlines if the font holds the pair, else by their distances.
 #pragma once
 
 #include <stdint.h>
@@ -6,6 +7,7 @@
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -17,6 +19,10 @@ namespace scenes {
 class ClockScene {
  public:
   static constexpr const char* kText = "12:58";
+
+  /// The changes of its digits, as inkcell-fontgen --morph takes them.
+  static constexpr const char* kMorphs =
+      "01 12 23 34 45 56 67 78 89 90 50 20 30";
 
   /// The layout of digits: their size and the box of each.
   struct Layout {
@@ -70,7 +76,12 @@ class ClockScene {
   static constexpr uint32_t kFramesPerMinute = 45;
 
   Span<int8_t> part_of(Span<int8_t> grids, int32_t digit) const noexcept;
+  void set_digit(int32_t digit, uint16_t from, uint16_t to) noexcept;
   Rect box_of(int32_t digit) const noexcept;
+  Point origin_of(int32_t digit) const noexcept;
+  void draw_digit(int32_t digit,
+                  const Filter& filter,
+                  const Sink& sink) const noexcept;
   uint32_t digit_of(uint32_t minute, int32_t digit) const noexcept;
   void draw_colon(const Paper& paper) const noexcept;
 
@@ -81,6 +92,11 @@ class ClockScene {
   Layout layout_;
   Workspace workspace_;
   kinetic::GlyphMorph digits_[kDigits];
+  kinetic::OutlineMorph outlines_[kDigits];
+  bool has_outlines_[kDigits] = {};  // the pair at hand
+  uint16_t from_[kDigits] = {};
+  uint16_t to_[kDigits] = {};
+  Q16_16 progress_[kDigits];
   kinetic::GridHistogram scratch_;
   uint16_t digit_glyphs_[10] = {};
   uint16_t colon_ = 0;

@@ -8,6 +8,9 @@
 //   morph PX SCALE MEAN MOST SET STACK RAM    digits 0 to 9, a frame in strips
 //                                             of 16 rows; SET: the most that
 //                                             the distances of a digit take
+//   outline_morph PX MEAN MOST PLAIN STACK    the same by outlines, if the font
+//                                             holds the pairs, beside the mean
+//                                             of the plain digits
 //   particles COUNT MEAN PULL                 a step; and the way home
 //   dot MEAN                                  of 1.3 px
 //   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
@@ -23,6 +26,7 @@
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/redistance.hpp"
@@ -121,6 +125,47 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
   print_number(stack);
   print_number(sizeof morph + sizeof scratch + kinetic::morph_bytes(box));
   board::print("\n");
+  return true;
+}
+
+bool measure_outline_morph(int32_t px) {
+  const Style style(Q26_6::from_int(px), kFilterMotion);
+  const int32_t width = px * 70 / 100;
+  const int32_t height = px * 88 / 100;
+  const Point origin(0, px * 81 / 100);
+  Total frames;
+  Total plain;
+  uint32_t stack = 0;
+  alignas(4) static uint8_t points[2048];
+  const auto draw = [&](const kinetic::OutlineMorph& morph, int32_t part) {
+    kinetic::MorphFrame frame(morph, style, origin,
+                              Q16_16::from_raw(part << 12),
+                              Workspace(points, sizeof points));
+    for (int32_t y = 0; y < height; y += kRows) {
+      const port::A8Canvas canvas({pixels, 0, y, width, kRows, width});
+      frame.draw(Painter(canvas, lent));
+    }
+  };
+  for (uint32_t digit = 0; digit < 10; ++digit) {
+    const uint16_t from = font.glyph_or_notdef('0' + digit);
+    const uint16_t to = font.glyph_or_notdef('0' + (digit + 1) % 10);
+    kinetic::OutlineMorph morph;
+    if (kinetic::OutlineMorph::open(font, from, to, morph) != Status::ok) {
+      continue;
+    }
+    for (int32_t part = 0; part < 16; ++part) {
+      count([&] { draw(morph, part); }, part == 0 ? plain : frames, stack);
+    }
+  }
+  if (frames.count != 0) {
+    board::print("outline_morph");
+    print_number(static_cast<uint32_t>(px));
+    print_number(frames.mean());
+    print_number(frames.most);
+    print_number(plain.mean());
+    print_number(stack);
+    board::print("\n");
+  }
   return true;
 }
 
@@ -315,6 +360,7 @@ int main(int argc, char** argv) {
   }
   const bool is_measured =
       measure_morph(48, 0) && measure_morph(96, 0) && measure_morph(96, 1) &&
+      measure_outline_morph(48) && measure_outline_morph(96) &&
       measure_particles() && measure_level_set() &&
       measure_scene<scenes::BodyScene, 320, 240>("figure13") &&
       measure_scene<scenes::BodyScene, 128, 64>("figure13") &&
