@@ -177,7 +177,7 @@ __attribute__((noinline)) void draw_adapted(const TextBox& box,
                                             Text text,
                                             const Sink& sink,
                                             Workspace workspace) noexcept {
-  Style room;
+  Style room = *box.options.face.style;
   TextBox own = box;
   own.options.face.style = &sink.adapt(*box.options.face.style, false, room);
   own.draw(text, sink, workspace);
