@@ -35,10 +35,10 @@ constexpr int32_t kSlanted = 13 << 11;
 // Feet so far beyond an end still lie on the edge. [px, Q8]
 constexpr int32_t kSlack = 8;
 
-// All rows of a parabola with a radius of 1 px or less are tips, as the nearest
-// point lies where it has left its tangent. Slopes at its ends are rough: 1/4
-// counts as slanted. [Q16]
-constexpr int32_t kSharp = 1 << 15;  // of half the bend
+// All rows of a parabola with a radius of 1.6 px or less are tips, as the
+// nearest point lies where it has left its tangent. Slopes at its ends are
+// rough: 1/4 counts as slanted. [Q16]
+constexpr int32_t kSharp = 5 << 12;  // of half the bend
 constexpr int32_t kSlantedIfSharp = 1 << 14;
 
 // By slope in 1/32, from -2 to 2 and what roundings add.
