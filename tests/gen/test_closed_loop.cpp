@@ -304,21 +304,13 @@ void put(const Sink& sink, int x, int y, uint8_t ink) {
   }
 }
 
-// A pixel that is worst, by 20/255, at a position between those that the loop
-// draws, and better the farther the glyph's origin is from there.
-TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
-  const Shape shape(load_outlines(kDejaVuSans, 0, {'o'}).front());
-  LoopOptions options;
-  options.min_px = options.max_px = 16;
-  options.tolerance = 15.5;
-  int drawn = 0;
-  const LoopGlyph glyph = {
+// A glyph drawn rightly at 16 px, but for an error of some pixels. [1/255]
+LoopGlyph wrong_glyph(
+    const Shape& shape,
+    std::function<double(int x, int y, inkcell::Point origin)> error) {
+  return {
       [](const Style&, inkcell::Point) { return Rect{}; },
-      [&](const Style&, inkcell::Point origin, const Sink& sink) {
-        ++drawn;
-        const int away =
-            std::max(std::abs(origin.x.raw - 11), std::abs(origin.y.raw - 5));
-        const double error = std::max(0.0, 20 - 0.6 * away);
+      [&shape, error](const Style&, inkcell::Point origin, const Sink& sink) {
         for (int y = sink.window.y0; y < sink.window.y1; ++y) {
           for (int x = sink.window.x0; x < sink.window.x1; ++x) {
             const double distance_px =
@@ -326,21 +318,65 @@ TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
                                (origin.y.raw / 64.0 - y - 0.5) * 64) /
                 64;
             double ink = 255 * std::clamp(0.5 + distance_px, 0.0, 1.0);
-            if (x == 4 && y == -5) {
-              ink += ink < 128 ? error : -error;
-            }
+            ink += (ink < 128 ? 1 : -1) * error(x, y, origin);
             const auto byte = static_cast<uint8_t>(std::lround(ink));
             sink.coverage(sink.context, x, y, &byte, 1);
           }
         }
       }};
-  const LoopResult found = ClosedLoop(shape, options).draw_and_compare(glyph);
+}
+
+// Of a pixel that is worst, by 20/255, at a position between those that the
+// loop draws, and better the farther the glyph's origin is from there.
+double error_between(inkcell::Point origin) {
+  const int away =
+      std::max(std::abs(origin.x.raw - 11), std::abs(origin.y.raw - 5));
+  return std::max(0.0, 20 - 0.6 * away);
+}
+
+LoopOptions options_of_16_px() {
+  LoopOptions options;
+  options.min_px = options.max_px = 16;
+  options.tolerance = 15.5;
+  return options;
+}
+
+TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
+  const Shape shape(load_outlines(kDejaVuSans, 0, {'o'}).front());
+  const LoopGlyph glyph =
+      wrong_glyph(shape, [](int x, int y, inkcell::Point origin) {
+        return x == 4 && y == -5 ? error_between(origin) : 0;
+      });
+  int drawn = 0;
+  const LoopGlyph counted = {
+      glyph.box,
+      [&](const Style& style, inkcell::Point origin, const Sink& sink) {
+        ++drawn;
+        glyph.draw(style, origin, sink);
+      }};
+  const LoopResult found =
+      ClosedLoop(shape, options_of_16_px()).draw_and_compare(counted);
   EXPECT_NEAR(found.worst, 20, 1);
   ASSERT_EQ(found.miss_count, 1u);
   EXPECT_NEAR(found.misses[0].x_u, (4.5 - 11 / 64.0) * 64, 1e-9);
   EXPECT_NEAR(found.misses[0].y_u, (5 / 64.0 + 4.5) * 64, 1e-9);
   EXPECT_EQ(found.misses[0].px, 16);
-  EXPECT_LT(drawn, 8 + 3 * 3 * 9 + 1);
+  EXPECT_LT(drawn, 8 + 3 * 3 * 8 + 1);
+}
+
+// Another place of the same size is worse where the loop draws.
+TEST(ClosedLoop, FollowsTheWorstPixelOfEachPlace) {
+  const Shape shape(load_outlines(kDejaVuSans, 0, {'o'}).front());
+  const LoopGlyph glyph =
+      wrong_glyph(shape, [](int x, int y, inkcell::Point origin) {
+        return x == 4 && y == -5   ? error_between(origin)
+               : x == 7 && y == -5 ? 14.5
+                                   : 0;
+      });
+  const LoopResult found =
+      ClosedLoop(shape, options_of_16_px()).draw_and_compare(glyph);
+  EXPECT_NEAR(found.worst, 20, 1);
+  EXPECT_GT(found.miss_count, 0u);
 }
 
 // A pixel far from a square, where no ink belongs: within the tolerance at the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -92,9 +93,9 @@ struct WrongPixel {
 };
 
 // Pixels this near to the tolerance, in shares of it, may miss it at other
-// positions: the worst one of each of the worst sizes is followed.
-constexpr double kFollowed = 0.75;
-constexpr size_t kMostFollowed = 8;
+// positions and sizes: the worst one of each place is followed.
+constexpr double kFollowed = 0.65;
+constexpr size_t kMostFollowed = 64;
 
 // From a position to the next ones, coarse steps first, each so often at most.
 // [1/64 px]
@@ -119,9 +120,6 @@ class Gathering {
     keep_worst(worst_pixel_);
     result_.worst_mean = std::max(result_.worst_mean, size_.mean);
     result_.sizes.push_back(size_);
-    if (worst_pixel_.error > kFollowed * options_.tolerance) {
-      wrong_.push_back(worst_pixel_);
-    }
   }
 
   // A pixel counts for the worst; add_mean() has it count for the mean.
@@ -130,6 +128,12 @@ class Gathering {
       size_.worst = error;
       worst_pixel_ = {setting, x, y, error};
     }
+    if (error > kFollowed * options_.tolerance) {
+      WrongPixel& worst = wrong_[place_of(setting, x, y)];
+      if (error > worst.error) {
+        worst = {setting, x, y, error};
+      }
+    }
     if (error > options_.tolerance) {
       add_miss(miss_at({setting, x, y, error}));
     }
@@ -137,7 +141,10 @@ class Gathering {
 
   // Pixels to follow, the worst first.
   std::vector<WrongPixel> followed() const {
-    std::vector<WrongPixel> pixels = wrong_;
+    std::vector<WrongPixel> pixels;
+    for (const auto& place : wrong_) {
+      pixels.push_back(place.second);
+    }
     std::stable_sort(pixels.begin(), pixels.end(),
                      [](const WrongPixel& a, const WrongPixel& b) {
                        return a.error > b.error;
@@ -154,7 +161,7 @@ class Gathering {
         size.worst = std::max(size.worst, pixel.error);
       }
     }
-    if (pixel.error > options_.tolerance + kPositionReserve) {
+    if (pixel.error > options_.tolerance) {
       add_miss(miss_at(pixel));
     }
   }
@@ -171,6 +178,16 @@ class Gathering {
   }
 
  private:
+  // An octave of sizes, and the corner of a square of 1 to 2 px.
+  using Place = std::array<int, 3>;
+  static Place place_of(const Setting& setting, int x, int y) {
+    int octave = 0;
+    std::frexp(setting.px, &octave);
+    const double side_u = std::ldexp(2048, -octave);
+    return {octave, static_cast<int>(std::floor(setting.x_u(x) / side_u)),
+            static_cast<int>(std::floor(setting.y_u(y) / side_u))};
+  }
+
   static LoopMiss miss_at(const WrongPixel& pixel) {
     const Setting& setting = pixel.setting;
     return {setting.x_u(pixel.x), setting.y_u(pixel.y), setting.px,
@@ -202,8 +219,8 @@ class Gathering {
   const LoopOptions& options_;
   LoopResult result_;
   SizeError size_;
-  WrongPixel worst_pixel_;         // of the current size
-  std::vector<WrongPixel> wrong_;  // of all sizes
+  WrongPixel worst_pixel_;             // of the current size
+  std::map<Place, WrongPixel> wrong_;  // the worst one of each place
   double sum_ = 0;
   double pixels_ = 0;
 };
@@ -268,16 +285,22 @@ void compare(const Setting& setting,
   }
 }
 
-// The worst of the nine pixels around one, at another position.
+Style style_of(int px) {
+  if (px < 4 || px > 1024) {
+    throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
+  }
+  return Style(Q26_6::from_int(px), kFilterText);
+}
+
+// The worst of the nine pixels around one, at another position or size.
 WrongPixel worst_around(const LoopGlyph& glyph,
-                        const Style& style,
                         DistanceMap& map,
-                        const WrongPixel& middle,
-                        const Setting& setting) {
+                        const WrongPixel& middle) {
+  const Setting& setting = middle.setting;
   WrongPixel worst = {setting, middle.x, middle.y, 0};
   Canvas canvas(Rect{middle.x - 1, middle.y - 1, middle.x + 2, middle.y + 2});
   glyph.draw(
-      style,
+      style_of(setting.px),
       {Q26_6::from_raw(setting.phase.x), Q26_6::from_raw(setting.phase.y)},
       canvas.sink());
   for (int y = middle.y - 1; y < middle.y + 2; ++y) {
@@ -298,21 +321,46 @@ WrongPixel worst_around(const LoopGlyph& glyph,
   return worst;
 }
 
-// Goes from position to position as long as the pixel gets worse.
+// The pixel with the same point of the glyph at its centre, but for 1/128 px,
+// at another size.
+WrongPixel at_size(const WrongPixel& pixel, int px) {
+  const double x = pixel.setting.x_u(pixel.x) * px / 1024 - 0.5;
+  const double y = -pixel.setting.y_u(pixel.y) * px / 1024 - 0.5;
+  WrongPixel result;
+  result.x = static_cast<int>(std::ceil(x));
+  result.y = static_cast<int>(std::ceil(y));
+  result.setting.px = px;
+  result.setting.phase = {static_cast<int>(std::lround(64 * (result.x - x))),
+                          static_cast<int>(std::lround(64 * (result.y - y)))};
+  return result;
+}
+
+// Goes to positions beside this one, and to the next sizes, as long as the
+// pixel gets worse.
 WrongPixel follow(const LoopGlyph& glyph,
-                  const Style& style,
+                  const LoopOptions& options,
                   DistanceMap& map,
                   WrongPixel at) {
   for (const int step : kFollowSteps) {
     for (int move = 0; move < kMostMoves; ++move) {
       WrongPixel next = at;
+      const auto look_at = [&](const WrongPixel& beside) {
+        const WrongPixel found = worst_around(glyph, map, beside);
+        if (found.error > next.error) {
+          next = found;
+        }
+      };
       for (int i = 0; i < 9; ++i) {
-        Setting setting = at.setting;
-        setting.phase.x += (i % 3 - 1) * step;
-        setting.phase.y += (i / 3 - 1) * step;
-        const WrongPixel other = worst_around(glyph, style, map, at, setting);
-        if (other.error > next.error) {
-          next = other;
+        WrongPixel beside = at;
+        beside.setting.phase.x += (i % 3 - 1) * step;
+        beside.setting.phase.y += (i / 3 - 1) * step;
+        if (i != 4) {
+          look_at(beside);
+        }
+      }
+      for (const int px : {at.setting.px - 1, at.setting.px + 1}) {
+        if (px >= options.min_px && px <= options.max_px) {
+          look_at(at_size(at, px));
         }
       }
       if (next.error <= at.error) {
@@ -322,13 +370,6 @@ WrongPixel follow(const LoopGlyph& glyph,
     }
   }
   return at;
-}
-
-Style style_of(int px) {
-  if (px < 4 || px > 1024) {
-    throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
-  }
-  return Style(Q26_6::from_int(px), kFilterText);
 }
 
 }  // namespace
@@ -385,8 +426,7 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
   }
   if (truth_ && follows && !gathering.has_misses()) {
     for (const WrongPixel& pixel : gathering.followed()) {
-      gathering.add_between(
-          follow(glyph, style_of(pixel.setting.px), truth_->map, pixel));
+      gathering.add_between(follow(glyph, options_, truth_->map, pixel));
     }
   }
   return gathering.finish();

@@ -19,9 +19,9 @@ namespace gen {
 /// Sub-pixel positions that the loop knows.
 inline constexpr int kLoopPhases = 8;
 
-/// Positions between those may look a little worse: so much of the tolerance is
-/// kept back. [1/255]
-inline constexpr double kPositionReserve = 0.5;
+/// Other positions may look a little worse: outlines are refitted until so much
+/// of the tolerance is left. [1/255]
+inline constexpr double kPositionReserve = 0.75;
 
 struct LoopOptions {
   /// Sizes. [px/em] Whole numbers, kMinSize..kMaxSize, min <= max.
@@ -118,9 +118,8 @@ class ClosedLoop {
 
   /// The result depends on the shape, the options and `glyph` only. Where no
   /// pixel of an outline misses, those that are near to the tolerance are
-  /// followed to other positions, in steps of 1/64 px, as long as they get
-  /// worse. There they may take up kPositionReserve, too. Fields of cells have
-  /// no such places.
+  /// followed to other positions, in steps of 1/64 px, and to the next sizes,
+  /// as long as they get worse. Fields of cells have no such places.
   LoopResult draw_and_compare(const LoopGlyph& glyph);
   LoopResult draw_and_compare(const GlyphField& field);
 
