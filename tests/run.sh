@@ -133,6 +133,7 @@ host_tests() {
   built host && run_tests host
   step fuzz sh tests/fuzz/run.sh 30
   step bench-parent sh tests/bench/parent.sh
+  step web sh tests/web.sh --here
 }
 host_tests &
 host=$!

@@ -144,8 +144,7 @@ async function choose(list) {
   for (const file of chosen) files[file.name] = new Uint8Array(await file.arrayBuffer());
   const names = Object.keys(files);
   $('chosen').textContent = names.filter(isDrawn).join(', ');
-  $('sources-chosen').textContent = names.filter((name) => !isDrawn(name)).join(', ') ||
-    'no file chosen';
+  $('sources-chosen').textContent = names.filter((name) => !isDrawn(name)).join(', ');
   if (kinds.has(true)) showFaces(files[names.find(isFont) ?? '']);
   if (names.some(isDrawn)) $('options').requestSubmit();
   else stop();

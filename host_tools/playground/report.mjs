@@ -123,5 +123,5 @@ export function showReport(core, report, made, name, args) {
   if (report.coding === 'outline') compareBitmaps(core);
   $('result').hidden = false;
   $('status').textContent = `${bytesOf(total)} for every size. ` +
-    `No pixel is off by more than ${report.error.max}/255.`;
+    `No pixel is off by more than ${report.error.max.toFixed(1)}/255.`;
 }

@@ -77,7 +77,7 @@ await page.click('#sweep');
 await page.waitForFunction(() => document.getElementById('size').value === '28' &&
   document.getElementById('bitmap-label').textContent.includes('57 sizes'));
 assert.ok(await number(page, 'bitmap-bytes') > 200 * own.font.length);
-await page.screenshot({path: `${folder}/sum.png`});  // docs/img/playground.png
+await page.screenshot({path: `${folder}/sum.png`});
 
 // Inside: the keys move the probe, and the cell under it is told.
 await page.locator('#field').scrollIntoViewIfNeeded();
