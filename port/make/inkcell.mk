@@ -8,22 +8,29 @@
 #   $(eval $(call inkcell_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E))
 #
 # The font is $(INKCELL_FONTS)/fonts/dejavu_sans.hpp; name it as a prerequisite of
-# the objects that include it.
+# the objects that include it. In C it is a source and a header:
 #
-# INKCELL_LIBRARIES names what is compiled besides the core and the adapters of
-# pixel formats and displays: cache, field, kinetic, layout, c (which needs
-# cache, field and layout). Set it before the include.
+#   $(eval $(call inkcell_c_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E))
+#
+# $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags.
+#
+# INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
+# needs pixel), cache, field, kinetic, layout, c (which needs all of these but
+# kinetic). Set it before the include; by default it is pixel and display.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
-INKCELL_LIBRARIES ?=
+INKCELL_LIBRARIES ?= pixel display
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache field layout
+  override INKCELL_LIBRARIES += cache field layout display
+endif
+ifneq ($(filter display,$(INKCELL_LIBRARIES)),)
+  override INKCELL_LIBRARIES += pixel
 endif
 INKCELL_BUILD ?= build/inkcell
 
-INKCELL_PARTS := $(INKCELL)/port/pixel $(INKCELL)/port/display \
+INKCELL_PARTS := $(sort \
   $(addprefix $(INKCELL)/core/,$(filter cache field kinetic layout,$(INKCELL_LIBRARIES))) \
-  $(addprefix $(INKCELL)/port/,$(filter c,$(INKCELL_LIBRARIES)))
+  $(addprefix $(INKCELL)/port/,$(filter pixel display c,$(INKCELL_LIBRARIES))))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))
 INKCELL_INCLUDES := -I$(INKCELL)/core/include \
@@ -42,4 +49,12 @@ define inkcell_font
 $(INKCELL_FONTS)/fonts/$(1).hpp: $(2)
 	mkdir -p $$(@D)
 	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) --quiet --out=$$@
+endef
+
+# The same as a source of C, whose array and size a header declares.
+define inkcell_c_font
+$(INKCELL_FONTS)/fonts/$(1).c: $(2)
+	mkdir -p $$(@D)
+	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) --quiet --out=$$@ --header=$$(@:.c=.h)
+$(INKCELL_FONTS)/fonts/$(1).h: $(INKCELL_FONTS)/fonts/$(1).c
 endef

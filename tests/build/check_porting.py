@@ -1,14 +1,18 @@
-"""Checks docs/PORTING.md, LAYOUT.md, STRINGS.md and ANIMATING.md: their code is code
-of the project, and the paths of the first exist.
+"""Checks docs/PORTING.md and others that have code: each block is code of the project,
+which its tests compile, and the paths of the first exist. CMake's lines of the others
+configure a project.
 
-Usage: check_porting.py
+Usage: check_porting.py WORK_FOLDER FONTGEN
 """
 
 import pathlib
 import re
+import shutil
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from toolchains import ROOT, run
+
+FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 SOURCES = ["boards", "core", "port", "tests"]
 
 
@@ -17,7 +21,23 @@ def squeeze(text):
     return " ".join(text.split())
 
 
+def configure(lines, work, fontgen):
+    """What CMake says of a project that has these lines, or nothing."""
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    shutil.copy(FONT, work)
+    (work / "ui.txt").write_text("title = Hello\n")
+    (work / "main.cpp").write_text("int main() {}\n")
+    (work / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(app C CXX)\n"
+        f"add_subdirectory({ROOT} inkcell)\nadd_executable(app main.cpp)\n{lines}")
+    result = run(["cmake", "-G", "Ninja", "-S", work, "-B", work / "build",
+                  f"-DINKCELL_FONTGEN={fontgen}"])
+    return [result.stdout] if result.returncode != 0 else []
+
+
 def main():
+    work, fontgen = map(pathlib.Path, sys.argv[1:])
     text = (ROOT / "docs/PORTING.md").read_text()
     sources = [
         squeeze(path.read_text()) for folder in SOURCES
@@ -28,9 +48,13 @@ def main():
     problems = []
 
     blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
-    for name in ("LAYOUT", "STRINGS", "ANIMATING"):
+    lines = []
+    for name in ("LAYOUT", "STRINGS", "ANIMATING", "EDITING", "DESIGN", "SIMULATOR"):
         more = (ROOT / f"docs/{name}.md").read_text()
-        blocks += re.findall(r"^```c(?:pp)?\n(.*?)^```", more, re.M | re.S)
+        for language, block in re.findall(r"^```(\w+)\n(.*?)^```", more,
+                                          re.M | re.S):
+            (lines if language == "cmake" else blocks).append(block)
+    problems += configure("".join(lines), work, fontgen)
     if len(blocks) < 8:
         problems.append("the code blocks were not found")
     for block in blocks:
