@@ -44,6 +44,11 @@ TEST_F(FilePattern, Matches) {
   EXPECT_EQ(match("x/**/d.c"), "x/y/d.c");
   EXPECT_EQ(match("x/*/*.c"), "x/up/a.c x/y/d.c");
   EXPECT_EQ(match("[ab].*"), "a.c b.cpp");
+  EXPECT_EQ(match("[!b].*"), "a.c");
+  EXPECT_EQ(match("[^a].*"), "b.cpp");
+  EXPECT_EQ(match("[a-c].c*"), "a.c b.cpp");
+  EXPECT_EQ(match("[].a].c"), "a.c");
+  EXPECT_EQ(match("*.*p*"), "b.cpp");
   EXPECT_EQ(match("?.c"), "a.c");
   EXPECT_EQ(match("a.c"), "a.c");
   EXPECT_EQ(match("./x/../a.c"), "a.c");
@@ -52,7 +57,7 @@ TEST_F(FilePattern, Matches) {
 }
 
 TEST_F(FilePattern, RefusesWhatMatchesNothing) {
-  for (const char* pattern : {"none.c", "*.rs", "**/none", "x", "**", ""}) {
+  for (const char* pattern : {"none.c", "*.rs", "[a", "[c-z].*", "**/none", "x", "**", ""}) {
     EXPECT_THROW(match(pattern), Error) << pattern;
   }
 }

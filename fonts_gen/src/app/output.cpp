@@ -1,17 +1,36 @@
 #include "app/output.hpp"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <random>
 
 #include "base/error.hpp"
 #include "base/identifier.hpp"
 #include "files.hpp"
 
 namespace inkcell::gen {
+namespace {
+
+// A name beside a file that no other program has.
+std::filesystem::path name_beside(const std::filesystem::path& target) {
+  static const unsigned kNumber = std::random_device()();
+  return tools::folder_of(target) /
+         ("." + target.filename().string() + ".part" + std::to_string(kNumber));
+}
+
+// Whether a file can be made beside another.
+bool can_be_made(const std::filesystem::path& target) {
+  const std::filesystem::path probe = name_beside(target);
+  const bool is_made = std::ofstream(probe).is_open();
+  std::error_code ignored;
+  std::filesystem::remove(probe, ignored);
+  return is_made;
+}
+
+}  // namespace
 
 void check_writable(const std::filesystem::path& target) {
   if (target == "-") {
@@ -36,7 +55,7 @@ void check_writable(const std::filesystem::path& target) {
                 "; make it first");
   }
   tools::refuse_among_fonts(target);
-  if (access(folder.c_str(), W_OK) != 0) {
+  if (!can_be_made(tools::follow_links(target))) {
     throw Error(target.string() + ": the folder " + folder.string() +
                 " cannot be written to; check its permissions");
   }
@@ -45,8 +64,7 @@ void check_writable(const std::filesystem::path& target) {
 OutputFile::OutputFile(std::filesystem::path target)
     : target_(tools::follow_links(std::move(target))) {
   check_writable(target_);
-  temporary_ = tools::folder_of(target_) / ("." + target_.filename().string() +
-                                            ".part" + std::to_string(getpid()));
+  temporary_ = name_beside(target_);
 }
 
 OutputFile::~OutputFile() {

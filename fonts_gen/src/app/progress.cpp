@@ -1,9 +1,13 @@
 #include "app/progress.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <string>
+
+#ifdef _WIN32
+#  include <io.h>
+#else
+#  include <unistd.h>
+#endif
 
 namespace inkcell::gen {
 namespace {
@@ -11,12 +15,20 @@ namespace {
 constexpr std::chrono::seconds kSilence{1};  // between two lines
 constexpr size_t kBarWidth = 40;             // [columns]
 
+bool is_terminal(std::FILE* file) {
+#ifdef _WIN32
+  return _isatty(_fileno(file)) != 0;
+#else
+  return isatty(fileno(file)) != 0;
+#endif
+}
+
 }  // namespace
 
 Progress::Progress(bool quiet, const char* what)
     : quiet_(quiet),
       what_(what),
-      terminal_(isatty(STDERR_FILENO) != 0),
+      terminal_(is_terminal(stderr)),
       begin_(Clock::now()) {}
 
 Progress::~Progress() {

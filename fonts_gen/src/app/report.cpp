@@ -14,7 +14,7 @@ namespace {
 // Glyphs in each list of the worst ones.
 constexpr size_t kWorst = 5;
 
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern,
+__attribute__((format(gnu_printf, 1, 2))) std::string format(const char* pattern,
                                                          ...) {
   char line[256];
   va_list values;

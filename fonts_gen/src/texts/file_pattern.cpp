@@ -1,10 +1,9 @@
 #include "texts/file_pattern.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -15,6 +14,57 @@ namespace fs = std::filesystem;
 
 bool has_wildcard(const std::string& part) {
   return part.find_first_of("*?[") != std::string::npos;
+}
+
+// Whether the set that begins a pattern, such as [a-f_] or [!0-9], has `c`.
+// Takes the set off the pattern; one without an end is a bracket alone.
+bool take_set(std::string_view& pattern, char c) {
+  const size_t first =
+      pattern.size() > 1 && (pattern[1] == '!' || pattern[1] == '^') ? 2 : 1;
+  const size_t end = pattern.find(']', first + 1);
+  if (end == std::string_view::npos) {
+    pattern.remove_prefix(1);
+    return c == '[';
+  }
+  bool has = false;
+  for (size_t i = first; i < end; ++i) {
+    const bool is_range = i + 2 < end && pattern[i + 1] == '-';
+    has = has || (c >= pattern[i] && c <= pattern[is_range ? i + 2 : i]);
+    i += is_range ? 2 : 0;
+  }
+  pattern.remove_prefix(end + 1);
+  return has == (first == 1);
+}
+
+// Whether a pattern of the shell stands for a name.
+bool matches(std::string_view pattern, std::string_view name) {
+  while (!pattern.empty()) {
+    const char next = pattern[0];
+    if (next == '*') {
+      pattern.remove_prefix(1);
+      for (size_t skipped = 0; skipped <= name.size(); ++skipped) {
+        if (matches(pattern, name.substr(skipped))) {
+          return true;
+        }
+      }
+      return false;
+    }
+    if (name.empty()) {
+      return false;
+    }
+    if (next == '[') {
+      if (!take_set(pattern, name[0])) {
+        return false;
+      }
+    } else {
+      if (next != '?' && next != name[0]) {
+        return false;
+      }
+      pattern.remove_prefix(1);
+    }
+    name.remove_prefix(1);
+  }
+  return name.empty();
 }
 
 class Search {
@@ -52,7 +102,8 @@ class Search {
       }
     } else if (has_wildcard(name)) {
       for (const fs::path& entry : entries(folder)) {
-        if (fnmatch(name.c_str(), entry.c_str(), FNM_PERIOD) == 0) {
+        const std::string text = entry.string();
+        if ((text[0] != '.' || name[0] == '.') && matches(name, text)) {
           visit(folder / entry, part + 1);
         }
       }
