@@ -57,7 +57,8 @@ TEST_F(FilePattern, Matches) {
 }
 
 TEST_F(FilePattern, RefusesWhatMatchesNothing) {
-  for (const char* pattern : {"none.c", "*.rs", "[a", "[c-z].*", "**/none", "x", "**", ""}) {
+  for (const char* pattern :
+       {"none.c", "*.rs", "[a", "[c-z].*", "**/none", "x", "**", ""}) {
     EXPECT_THROW(match(pattern), Error) << pattern;
   }
 }

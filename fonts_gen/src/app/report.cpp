@@ -14,8 +14,11 @@ namespace {
 // Glyphs in each list of the worst ones.
 constexpr size_t kWorst = 5;
 
-__attribute__((format(gnu_printf, 1, 2))) std::string format(const char* pattern,
-                                                         ...) {
+#ifndef __MINGW_PRINTF_FORMAT  // Windows has two kinds of printf()
+#  define __MINGW_PRINTF_FORMAT printf
+#endif
+__attribute__((format(__MINGW_PRINTF_FORMAT, 1, 2))) std::string format(
+    const char* pattern, ...) {
   char line[256];
   va_list values;
   va_start(values, pattern);
