@@ -4,10 +4,12 @@ draws on the host what a painter draws on a canvas of the whole screen.
 The core of Arduino is played by tests/build/arduino/core. So are Adafruit_GFX,
 Adafruit_SSD1306 and TFT_eSPI, unless INKCELL_ARDUINO_DIR names a folder of
 libraries: then examples run with those of Adafruit, and the one for TFT_eSPI is
-compiled with its headers, too.
+compiled with its headers, too. The example of PlatformIO is compiled with the flags
+of library.json.
 
 Usage: check_arduino.py WORK_FOLDER BUILD_FOLDER FONTGEN
 """
+import json
 import os
 import pathlib
 import re
@@ -125,6 +127,23 @@ def check_sketch(folder, name, work, build, includes, sources):
     return [f"{name}:\n{result.stdout}"] if result.returncode != 0 else []
 
 
+def check_platformio(folder, work, includes):
+    """Problems of PlatformIO's example, with the font that its line makes."""
+    example = ROOT / "port/platformio/example"
+    options = (example / "platformio.ini").read_text()
+    build = json.loads((ROOT / "library.json").read_text())["build"]
+    flags = [word.replace("-I ", f"-I{ROOT}/") for word in build["flags"]]
+    (work / "fonts").mkdir()
+    shutil.copy(folder / "examples/TFT_eSPI_Value/sans.h",
+                work / "fonts/sans.hpp")
+    result = run([*COMPILE, *flags, f"-I{ROOT / build['includeDir']}", f"-I{work}",
+                  *includes, "-fsyntax-only", example / "src/main.cpp"])
+    problems = [f"platformio.ini: no {words}" for words in
+                ("build_flags = -std=gnu++17", "--name=sans", "symlink://../../..")
+                if words not in options]
+    return problems + ([result.stdout] if result.returncode != 0 else [])
+
+
 def main():
     work, build, fontgen = (pathlib.Path(word).resolve()
                             for word in sys.argv[1:])
@@ -152,6 +171,7 @@ def main():
         problems += check_sketch(
             folder, name, work, build, includes,
             sources if name.startswith("Adafruit") else [])
+    problems += check_platformio(folder, work, includes)
     if tft is not None:
         result = run([*COMPILE, "-fsyntax-only", f"-I{folder / 'src'}",
                       f"-I{tft}", f"-I{PLAYED / 'core'}", "-include",
@@ -159,7 +179,7 @@ def main():
                       folder / "examples/TFT_eSPI_Value/TFT_eSPI_Value.ino"])
         if result.returncode != 0:
             problems.append(f"TFT_eSPI:\n{result.stdout}")
-    finish(3 + len(sketches), problems)
+    finish(4 + len(sketches), problems)
 
 
 main()

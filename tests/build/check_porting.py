@@ -42,7 +42,7 @@ def main():
     sources = [
         squeeze(path.read_text()) for folder in SOURCES
         for path in sorted((ROOT / folder).rglob("*"))
-        if (path.suffix in (".hpp", ".cpp", ".c", ".ino", ".py")
+        if (path.suffix in (".hpp", ".cpp", ".c", ".ini", ".ino", ".py")
             or path.name == "CMakeLists.txt")
     ]
     problems = []

@@ -110,6 +110,9 @@ struct Port : Print {
 extern Port Serial;
 
 inline void delay(unsigned long) {}
+inline unsigned long millis() {
+  return 1500;
+}
 inline void delayMicroseconds(unsigned) {}
 inline void yield() {}
 inline void pinMode(int, int) {}
