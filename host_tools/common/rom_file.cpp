@@ -58,6 +58,8 @@ std::string_view status_name(Status status) {
       return "bad_argument";
     case Status::beyond_band:
       return "beyond_band";
+    case Status::read_failed:
+      return "read_failed";
   }
   return "?";
 }

@@ -15,8 +15,9 @@
 # $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
-# needs pixel), cache, field, kinetic, layout, c (which needs all of these but
-# kinetic). Set it before the include; by default it is pixel and display.
+# needs pixel), cache, field, kinetic, layout, stored, c (which needs cache, field,
+# layout and display). Set it before the include; by default it is pixel and
+# display.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_LIBRARIES ?= pixel display
@@ -29,7 +30,7 @@ endif
 INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(sort \
-  $(addprefix $(INKCELL)/core/,$(filter cache field kinetic layout,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/core/,$(filter cache field kinetic layout stored,$(INKCELL_LIBRARIES))) \
   $(addprefix $(INKCELL)/port/,$(filter pixel display c,$(INKCELL_LIBRARIES))))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))

@@ -9,7 +9,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # The folders of core that are libraries of their own.
-LIBRARIES = ("cache", "field", "kinetic", "layout")
+LIBRARIES = ("cache", "field", "kinetic", "layout", "stored")
 
 # What the device library is compiled with: core/CMakeLists.txt.
 DEVICE_FLAGS = [

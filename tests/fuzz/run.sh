@@ -1,14 +1,14 @@
 #!/bin/sh
-# Runs the fuzzers of fonts, of outlines and of type that moves for a while, on
-# all cores, each for a third of the time:
+# Runs the fuzzers of fonts, of outlines, of fonts in storage and of type that
+# moves for a while, on all cores, each for a quarter of the time:
 #
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
-# New inputs gather in FOLDER/corpus, FOLDER/corpus_outline and
-# FOLDER/corpus_kinetic, in a folder for each core, and are the start of the next
-# run. A crash ends it with an exit code; its input is FOLDER/crash-*. Put that
-# into the folder of the same name in tests/fuzz, with the fix: CTest runs all
-# of them (fuzz.corpus, fuzz.corpus_outline, fuzz.corpus_kinetic).
+# New inputs gather in FOLDER/corpus, FOLDER/corpus_outline, FOLDER/corpus_stored
+# and FOLDER/corpus_kinetic, in a folder for each core, and are the start of the
+# next run. A crash ends it with an exit code; its input is FOLDER/crash-*. Put
+# that into the folder of the same name in tests/fuzz, with the fix: CTest runs
+# all of them (fuzz.corpus, fuzz.corpus_outline and so on).
 set -eu
 seconds=${1:-30}
 folder=${2:-build/fuzz}
@@ -28,7 +28,7 @@ mkdir -p "$folder/objects"
 flags="-std=c++17 -O1 -g -fsanitize=address,undefined
   -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1
   -Icore/include -Icore/src -Icore/field/include
-  -Icore/kinetic/include -Itests/unit -Itests/hostile"
+  -Icore/kinetic/include -Icore/stored/include -Itests/unit -Itests/hostile"
 
 # Objects of the sources given, side by side.
 # shellcheck disable=SC2016,SC2086  # $2 is that of sh, flags are to be split
@@ -59,7 +59,7 @@ run() {
     mkdir -p "$folder/$corpus/$job"
     # shellcheck disable=SC2086  # options are meant to be split
     "$folder/$target" $common -artifact_prefix="$folder/" \
-      -max_total_time="$((seconds / 3))" -print_final_stats=1 \
+      -max_total_time="$((seconds / 4))" -print_final_stats=1 \
       "$folder/$corpus/$job" "tests/fuzz/$corpus" \
       >"$folder/$target-$job.log" 2>&1 &
     pids="$pids $!"
@@ -80,6 +80,7 @@ run() {
 failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
+run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp
 compile core/kinetic/src/*.cpp
 run fuzz_kinetic corpus_kinetic 6000
 exit $failed

@@ -29,7 +29,8 @@ TEST(status_names) {
   CHECK(is_name(INKCELL_OK, "ok"));
   CHECK(is_name(INKCELL_BUFFER_SMALL, "buffer_small"));
   CHECK(is_name(INKCELL_BEYOND_BAND, "beyond_band"));
-  CHECK(is_name(10, "unknown"));
+  CHECK(is_name(INKCELL_READ_FAILED, "read_failed"));
+  CHECK(is_name(11, "unknown"));
   CHECK(is_name(255, "unknown"));
 }
 

@@ -22,6 +22,18 @@ struct OutlineCoding {
 };
 
 const OutlineCoding& outline_coding(const Font& font) noexcept;
+
+// Finds glyphs of a font that is read in pages (inkcell/stored/).
+struct FontPages {
+  // As Font::glyph_of(); read_failed: the storage.
+  Status (*glyph_of)(const FontPages& pages,
+                     uint32_t code_point,
+                     uint16_t& glyph) noexcept;
+  // The font that holds a glyph, which becomes its id there; null: there is no
+  // such glyph. .notdef where the page cannot be read.
+  const Font* (*page_of)(const FontPages& pages, uint32_t& glyph) noexcept;
+};
+class StoredStore;
 }  // namespace detail
 
 /// Measures of one glyph in font units (units_per_em to the em), y up, origin
@@ -153,6 +165,16 @@ class Font {
   /// has no ink, does not exist, or its offsets do not fit.
   Span<const uint8_t> record(uint16_t glyph) const noexcept;
 
+  /// The font that holds a glyph, which becomes its id there: this font, or a
+  /// page of a stored one, in RAM until another glyph is asked for. Null: there
+  /// is no such glyph.
+  const Font* page_of(uint32_t& glyph) const noexcept {
+    if (glyph < glyph_count_) {
+      return this;
+    }
+    return is_paged_ != 0 ? pages().page_of(pages(), glyph) : nullptr;
+  }
+
   /// The font's name, UTF-8, not terminated; empty if it has none.
   Span<const char> name() const noexcept;
 
@@ -165,9 +187,18 @@ class Font {
  private:
   friend const detail::OutlineCoding& detail::outline_coding(
       const Font& font) noexcept;
+  friend class detail::StoredStore;
+
+  class MetricsRow;
 
   Status open_tables(uint32_t sections) noexcept;
   bool open_code(const Span<const uint8_t>& code) noexcept;
+  bool fit_tables() noexcept;
+  bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
+  // A pointer to FontPages lies in place of a look-up of its own.
+  const detail::FontPages& pages() const noexcept {
+    return *reinterpret_cast<const detail::FontPages*>(cmap_table().data);
+  }
 
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
@@ -187,7 +218,8 @@ class Font {
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
   uint16_t metrics_row_bits_ = 0;
-  int32_t u_per_unit_q14_ = 0;  // 0: the em is too small for boxes of ink
+  // See pages(); no bytes of a font can say so. As wide as its place.
+  uint16_t is_paged_ = 0;
 };
 
 inline const detail::OutlineCoding& detail::outline_coding(

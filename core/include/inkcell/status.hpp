@@ -20,6 +20,7 @@ enum class [[nodiscard]] Status : uint8_t {
   unsupported  = 7,  // a section or coding left out of the build: PORTING.md
   bad_argument = 8,  // outside the range that the call states
   beyond_band  = 9,  // farther than the font's distances reach: see --band-px
+  read_failed  = 10,  // the storage of a font did not give its bytes
 };
 // clang-format on
 

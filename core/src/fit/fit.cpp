@@ -231,11 +231,17 @@ class GridFit {
   static int32_t advance(const Fit& fit,
                          const Font& font,
                          uint16_t glyph) noexcept {
-    GlyphHints hints(fit.hints_, glyph);
+    uint32_t id = glyph;
+    const Font* const page = font.page_of(id);
+    if (page == nullptr) {
+      return 0;
+    }
+    GlyphHints hints(fit.hints_, id);
     for (uint32_t i = hints.y_count(); i != 0; --i) {
       static_cast<void>(hints.next_y());
     }
-    return fit_across(fit, Fit::metrics_of(font, glyph), hints, nullptr) >> 6;
+    const auto own = static_cast<uint16_t>(id);
+    return fit_across(fit, Fit::metrics_of(*page, own), hints, nullptr) >> 6;
   }
 
   // Separate frames, so that their stacks do not add up.

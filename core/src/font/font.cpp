@@ -3,6 +3,7 @@
 #include "base/bit_table.hpp"
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
+#include "font/font_tables.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
 
@@ -82,60 +83,59 @@ bool find_section(Span<const uint8_t> rom,
   return true;
 }
 
-uint16_t metrics_row_bits(const Span<const uint8_t>& section) noexcept {
-  uint32_t bits = 0;
-  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
-    bits += section[format::metrics::kColumnBits + i];
-  }
-  return static_cast<uint16_t>(bits);
-}
+}  // namespace
 
 // Takes a row of METR from left to right. Widths are read again, not kept:
 // reading bits is safe with any.
-class MetricsRow {
+class Font::MetricsRow {
  public:
-  MetricsRow(const Span<const uint8_t>& section, uint32_t first_bit) noexcept
-      : section_(section), bit_(8 * format::metrics::kBytes + first_bit) {}
+  void set(const Span<const uint8_t>& section, uint32_t first_bit) noexcept {
+    section_ = &section;
+    bit_ = 8 * format::metrics::kBytes + first_bit;
+  }
 
   uint32_t width(uint32_t column) const noexcept {
-    return section_.data[format::metrics::kColumnBits + column];
+    return section_->data[format::metrics::kColumnBits + column];
   }
   void skip(uint32_t column) noexcept { bit_ += width(column); }
 
   // Modulo 2^16.
   uint16_t take(uint32_t column) noexcept {
     const uint32_t bits = width(column);
-    const uint32_t above_base = detail::read_bits(section_, bit_, bits);
+    const uint32_t above_base = detail::read_bits(*section_, bit_, bits);
     bit_ += bits;
     return static_cast<uint16_t>(
-        load_u16(section_.data + format::metrics::kBase + 2 * column) +
+        load_u16(section_->data + format::metrics::kBase + 2 * column) +
         above_base);
   }
 
  private:
-  const Span<const uint8_t>& section_;
+  const Span<const uint8_t>* section_;
   uint32_t bit_;
 };
 
-}  // namespace
-
-Status Font::open(Span<const uint8_t> rom,
-                  const Coding& coding,
-                  Font& out) noexcept {
-  Header read;
-  INKCELL_TRY(read_header(rom, read));
-  Font font;
-  if (rom.data[header::kCoding] != coding.number) {
-    return Status::unsupported;
+// What outlines are read with is kept: it was checked.
+inline bool Font::open_code(const Span<const uint8_t>& code) noexcept {
+  namespace outline = format::outline;
+  const uint8_t* at = rom_.data;
+  if (at[header::kCoding] != static_cast<uint8_t>(format::Coding::outline)) {
+    return true;
   }
-  font.source_ = coding.source;
-  font.rom_ = {rom.data, read.total_bytes};
-  INKCELL_TRY(font.open_tables(read.sections));
-  out = font;
-  return Status::ok;
+  const uint32_t code_bits = at[header::kCodeBits];
+  const uint8_t grid_shift = at[header::kGridShift];
+  if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
+      code.size < size_t{2} << code_bits ||
+      static_cast<uint8_t>(grid_shift - outline::kMinGridShift) >
+          outline::kMaxGridShift - outline::kMinGridShift) {
+    return false;
+  }
+  coding_ = {code.data, static_cast<uint8_t>(code_bits),
+             static_cast<int8_t>(grid_shift),
+             load_u16(at + header::kMaxPoints)};
+  return true;
 }
 
-Status Font::open_tables(uint32_t sections) noexcept {
+inline Status Font::open_tables(uint32_t sections) noexcept {
   const uint8_t* entry = rom_.data + header::kBytes;
   Span<const uint8_t> code;
   for (; sections != 0; --sections, entry += section::kBytes) {
@@ -160,45 +160,26 @@ Status Font::open_tables(uint32_t sections) noexcept {
   }
   glyph_count_ = load_u16(rom_.data + header::kGlyphCount);
   units_per_em_ = load_u16(rom_.data + header::kUnitsPerEm);
-  if (glyph_count_ == 0 || units_per_em_ < 16 || units_per_em_ > 16384 ||
-      metrics_table().size < format::metrics::kBytes ||
-      glyph_table().size < format::glyphs::kBytes) {
-    return Status::corrupt;
-  }
-  metrics_row_bits_ = metrics_row_bits(metrics_table());
-  // Products of smaller ems pass 31 bits.
-  u_per_unit_q14_ =
-      units_per_em_ < 256
-          ? 0
-          : static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
-  if (!detail::bits_fit(metrics_table(), format::metrics::kBytes,
-                        uint32_t{metrics_row_bits_} * glyph_count_) ||
-      !detail::bits_fit(glyph_table(), format::glyphs::kBytes,
-                        glyph_table().data[format::glyphs::kOffsetBits] *
-                            (uint32_t{glyph_count_} + 1))) {
+  if (units_per_em_ < 16 || units_per_em_ > 16384 || !fit_tables()) {
     return Status::corrupt;
   }
   return open_code(code) ? Status::ok : Status::corrupt;
 }
 
-// What outlines are read with is kept: it was checked.
-bool Font::open_code(const Span<const uint8_t>& code) noexcept {
-  namespace outline = format::outline;
-  const uint8_t* at = rom_.data;
-  if (at[header::kCoding] != static_cast<uint8_t>(format::Coding::outline)) {
-    return true;
+Status Font::open(Span<const uint8_t> rom,
+                  const Coding& coding,
+                  Font& out) noexcept {
+  Header read;
+  INKCELL_TRY(read_header(rom, read));
+  Font font;
+  if (rom.data[header::kCoding] != coding.number) {
+    return Status::unsupported;
   }
-  const uint32_t code_bits = at[header::kCodeBits];
-  const auto grid_shift = static_cast<int8_t>(at[header::kGridShift]);
-  if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
-      code.size < size_t{2} << code_bits ||
-      grid_shift < outline::kMinGridShift ||
-      grid_shift > outline::kMaxGridShift) {
-    return false;
-  }
-  coding_ = {code.data, static_cast<uint8_t>(code_bits), grid_shift,
-             load_u16(at + header::kMaxPoints)};
-  return true;
+  font.source_ = coding.source;
+  font.rom_ = {rom.data, read.total_bytes};
+  INKCELL_TRY(font.open_tables(read.sections));
+  out = font;
+  return Status::ok;
 }
 
 Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
@@ -272,27 +253,34 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
       end = middle;
     }
   }
-  if (begin == 0) {
-    return Status::no_glyph;
+  if (begin != 0) {
+    const uint8_t* entry = cmap_table().data + (begin - 1) * cmap::kBytes;
+    const uint32_t step = code_point - load_u32(entry + cmap::kFirst);
+    const uint32_t id = load_u16(entry + cmap::kFirstGlyph) + step;
+    if (step <= load_u16(entry + cmap::kExtra) && id < glyph_count_) {
+      glyph = static_cast<uint16_t>(id);
+      return Status::ok;
+    }
   }
-  const uint8_t* entry = cmap_table().data + (begin - 1) * cmap::kBytes;
-  const uint32_t step = code_point - load_u32(entry + cmap::kFirst);
-  if (step > load_u16(entry + cmap::kExtra)) {
-    return Status::no_glyph;
+  return is_paged_ != 0 ? pages().glyph_of(pages(), code_point, glyph)
+                        : Status::no_glyph;
+}
+
+// False: there is no such glyph.
+bool Font::find_row(uint32_t glyph, MetricsRow& row) const noexcept {
+  const Font* const font = page_of(glyph);
+  if (font == nullptr) {
+    return false;
   }
-  const uint32_t id = load_u16(entry + cmap::kFirstGlyph) + step;
-  if (id >= glyph_count_) {
-    return Status::no_glyph;
-  }
-  glyph = static_cast<uint16_t>(id);
-  return Status::ok;
+  row.set(font->metrics_table(), font->metrics_row_bits_ * glyph);
+  return true;
 }
 
 Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
-  if (glyph >= glyph_count_) {
+  MetricsRow row;
+  if (!find_row(glyph, row)) {
     return Status::no_glyph;
   }
-  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
   uint16_t columns[format::metrics::kColumns];
 #if !defined(__OPTIMIZE_SIZE__)
 #  pragma GCC unroll 5
@@ -309,18 +297,18 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
 }
 
 int32_t Font::advance(uint16_t glyph) const noexcept {
-  if (glyph >= glyph_count_) {
-    return 0;
-  }
-  return MetricsRow(metrics_table(), uint32_t{metrics_row_bits_} * glyph)
-      .take(0);
+  MetricsRow row;
+  return find_row(glyph, row) ? row.take(0) : 0;
 }
 
 InkBox Font::ink_box(uint16_t glyph) const noexcept {
-  if (u_per_unit_q14_ == 0 || glyph >= glyph_count_) {
+  MetricsRow row;
+  // Products of smaller ems pass 31 bits.
+  if (units_per_em_ < 256 || !find_row(glyph, row)) {
     return {};
   }
-  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
+  const auto u_per_unit_q14 =
+      static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
   row.skip(0);  // the advance
   // The quotient is too small by less than one, or exact.
   const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
@@ -332,7 +320,7 @@ InkBox Font::ink_box(uint16_t glyph) const noexcept {
     const int32_t units = static_cast<int16_t>(row.take(i + 1));
     // Outwards. At most 2^31 below 0, and less above.
     const bool is_high = i >= 2;
-    int32_t u_q14 = units * u_per_unit_q14_;
+    int32_t u_q14 = units * u_per_unit_q14;
     if (is_high != (units < 0)) {
       u_q14 += units * rest;
     }

@@ -168,6 +168,11 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
                           "parted by blanks: '01 12 23'; about 30 bytes a "
                           "pair; repeatable"))
       ->type_name("STRING");
+  app.add_option(
+         "--paged", request.paged,
+         "For storage that is not mapped, such as an SD card: blocks of "
+         "so many bytes, which StoredFont reads")
+      ->type_name("512|1024|2048|4096");
   app.add_option("--effort", target.effort,
                  "(field) How hard to try for fewer bytes; outlines have no "
                  "use for it")

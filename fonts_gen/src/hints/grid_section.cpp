@@ -100,11 +100,8 @@ std::vector<uint8_t> hint_record(const GlyphHints& hints) {
   return bits.take();
 }
 
-std::vector<uint8_t> grid_section(const FontHints& hints) {
+std::vector<uint8_t> grid_head(const FaceHints& face, unsigned offset_bits) {
   std::vector<uint8_t> out;
-  if (hints.empty()) {
-    return out;
-  }
   const auto put = [&out](int byte) {
     out.push_back(static_cast<uint8_t>(byte));
   };
@@ -112,15 +109,6 @@ std::vector<uint8_t> grid_section(const FontHints& hints) {
     put(value & 0xff);
     put(value >> 8 & 0xff);
   };
-  std::vector<uint8_t> records;
-  std::vector<uint32_t> ends = {0};
-  for (const GlyphHints& glyph : hints.glyphs) {
-    const std::vector<uint8_t> record = hint_record(glyph);
-    records.insert(records.end(), record.begin(), record.end());
-    ends.push_back(static_cast<uint32_t>(records.size()));
-  }
-  const FaceHints& face = hints.face;
-  const unsigned offset_bits = width_of(ends.back());
   const auto width = [](int width_u) { return std::min(width_u, 255); };
   put(static_cast<int>(face.zones.size()));
   put(static_cast<int>((face.has_contrast ? grid::kContrast : 0) |
@@ -135,6 +123,22 @@ std::vector<uint8_t> grid_section(const FontHints& hints) {
     put(zone.overshoot_u & 0xff);
     put(zone.is_top ? static_cast<int>(grid::kTopZone) : 0);
   }
+  return out;
+}
+
+std::vector<uint8_t> grid_section(const FontHints& hints) {
+  if (hints.empty()) {
+    return {};
+  }
+  std::vector<uint8_t> records;
+  std::vector<uint32_t> ends = {0};
+  for (const GlyphHints& glyph : hints.glyphs) {
+    const std::vector<uint8_t> record = hint_record(glyph);
+    records.insert(records.end(), record.begin(), record.end());
+    ends.push_back(static_cast<uint32_t>(records.size()));
+  }
+  const unsigned offset_bits = width_of(ends.back());
+  std::vector<uint8_t> out = grid_head(hints.face, offset_bits);
   BitTableWriter table(out);
   for (const uint32_t end : ends) {
     table.put(end, offset_bits);

@@ -9,10 +9,9 @@
 namespace inkcell::gen {
 namespace {
 
-// Table sizes to try. Smaller ones cannot distinguish the kinds of points, and
-// words have at most 7 bits.
+// The smallest table to try. Smaller ones cannot distinguish the kinds of
+// points.
 constexpr int kLeastCodeBits = 4;
-constexpr int kMostCodeBits = 7;
 
 constexpr uint64_t kImpossible = std::numeric_limits<uint64_t>::max();
 
@@ -78,15 +77,14 @@ class CodeSearch {
  public:
   using Symbols = std::vector<CodeSymbol>;
 
-  explicit CodeSearch(const StepCounts& counts)
-      : pairs_(pairs_of(counts)), ends_(counts.ends()) {}
+  CodeSearch(const StepCounts& counts, int most_bits)
+      : pairs_(pairs_of(counts)), ends_(counts.ends()), most_bits_(most_bits) {}
 
   OutlineCode run() const {
     uint64_t best_bits = kImpossible;
     std::optional<OutlineCode> best;
     const std::vector<Symbols> joined = join_pairs();
-    for (int code_bits = kLeastCodeBits; code_bits <= kMostCodeBits;
-         ++code_bits) {
+    for (int code_bits = kLeastCodeBits; code_bits <= most_bits_; ++code_bits) {
       const Symbols symbols = improve(least(joined, code_bits), code_bits);
       const uint64_t bits =
           cost(symbols, code_bits, nullptr) + table_bits(code_bits);
@@ -315,6 +313,7 @@ class CodeSearch {
 
   std::vector<Pair> pairs_;
   uint64_t ends_;
+  int most_bits_;
 };
 
 // A symbol, or a package of two items of the previous list.
@@ -444,8 +443,8 @@ const CodeWord* OutlineCode::find(const OutlineStep& step) const {
   return best;
 }
 
-OutlineCode make_outline_code(const StepCounts& counts) {
-  return CodeSearch(counts).run();
+OutlineCode make_outline_code(const StepCounts& counts, int most_bits) {
+  return CodeSearch(counts, most_bits).run();
 }
 
 OutlineCode widest_outline_code() {

@@ -79,8 +79,9 @@ class OutlineCode {
 
 /// The code with the smallest table and streams for `counts`, as far as the
 /// search finds it. Joins pairs of widths, then improves single symbols. The
-/// same counts give the same code on every machine.
-OutlineCode make_outline_code(const StepCounts& counts);
+/// same counts give the same code on every machine. Words have `most_bits` bits
+/// at most, 4..7.
+OutlineCode make_outline_code(const StepCounts& counts, int most_bits = 7);
 
 /// A code for all possible steps, without a search: for trials, whose picture
 /// does not depend on the code.

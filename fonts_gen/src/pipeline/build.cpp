@@ -312,8 +312,14 @@ RomContent build_content(SourceFont& font,
   }
   if (request.target.coding == Coding::outline) {
     content.outlines.grid_shift = refit.grid_shift;
-    encode_outlines(content);
-    find_references(font.components, content);
+    if (request.paged != 0) {
+      // The resident part holds the code, and no record leaves its page.
+      content.block_bytes = static_cast<size_t>(request.paged);
+      content.outlines.most_code_bits = 6;
+    } else {
+      encode_outlines(content);
+      find_references(font.components, content);
+    }
     drop_unused_components(font, content, errors);
     encode_outlines(content);
   }

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "judge/closed_loop.hpp"
+#include "judge/paged_check.hpp"
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
 #include "pipeline/font_morphs.hpp"
 #include "pipeline/missing.hpp"
+#include "rom/paged_font.hpp"
 #include "rom/rom_font.hpp"
 #include "source/faces.hpp"
 #include "source/icons.hpp"
@@ -109,6 +111,18 @@ SourceFont load_source(const GenerateRequest& request,
   return font;
 }
 
+// Pairs would be of glyphs on different pages.
+void drop_kerning(RomContent& content, Warnings& warnings) {
+  if (!content.kerning.empty()) {
+    warnings.push_back(
+        {Warning::Kind::no_kerning,
+         content.name +
+             ": paged fonts do not kern; put letters that shall into a font "
+             "in mapped memory, and this one behind it as a fallback"});
+    content.kerning = {};
+  }
+}
+
 }  // namespace
 
 void generate_part(const GenerateRequest& request, GlyphPart part) {
@@ -133,8 +147,14 @@ RomFont generate(const GenerateRequest& request) {
   // A font promises what it holds.
   content.options.tolerance = promised_tolerance(request.target, errors);
   PartBytes parts;
-  rom.bytes = write_rom_font(content, parts);
-  check_rom_font(rom.bytes, content);
+  if (request.paged != 0) {
+    drop_kerning(content, rom.warnings);
+    rom.bytes = write_paged_font(content, parts);
+    check_paged_font(rom.bytes, content);
+  } else {
+    rom.bytes = write_rom_font(content, parts);
+    check_rom_font(rom.bytes, content);
+  }
   rom.strings = shaped_strings(strings, font);
   content.options.tolerance = request.target.tolerance;
   rom.report = make_report(font, content, errors);

@@ -76,9 +76,28 @@ void check_request(const GenerateRequest& request) {
   if (target.effort < 0 || target.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
-  if (target.coding != Coding::outline && !request.morphs.empty()) {
     throw Error(
         "--morph moves outlines; use --coding outline, or leave it out");
+  }
+  if (request.paged != 0) {
+    const std::set<int> sizes = {512, 1024, 2048, 4096};
+    if (sizes.count(request.paged) == 0) {
+      throw Error("--paged " + std::to_string(request.paged) +
+                  ": blocks have 512, 1024, 2048 or 4096 bytes");
+    }
+    if (target.coding != Coding::outline) {
+      throw Error("--paged is for outlines; leave --coding field out");
+    }
+    if (!request.morphs.empty()) {
+      throw Error(
+          "--morph needs a font in mapped memory; leave --paged out, or morph "
+          "glyphs of another font");
+    }
+    if (!request.string_files.empty()) {
+      throw Error(
+          "--strings: runs of glyphs are for fonts in mapped memory; leave "
+          "--paged out, or shape them with another font");
+    }
   }
   if (target.coding != Coding::field && target.predicate == Predicate::fixed) {
     throw Error(

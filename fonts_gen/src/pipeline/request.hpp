@@ -58,6 +58,9 @@ struct GenerateRequest {
   /// Groups of characters, UTF-8, parted by blanks: all of a group morph into
   /// each other.
   std::vector<std::string> morphs;
+  /// Bytes of a block of a font for storage that is not mapped: 512, 1024, 2048
+  /// or 4096; 0: the font is for mapped memory.
+  int paged = 0;
   /// Whether generate() throws if a glyph misses the tolerance. If not, the
   /// glyph gets its best outline, and a warning names it.
   bool tolerance_is_limit = false;

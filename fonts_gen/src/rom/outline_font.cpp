@@ -68,7 +68,9 @@ void encode(RomContent& content, const MakeCode& make_code) {
 }  // namespace
 
 void encode_outlines(RomContent& content) {
-  encode(content, make_outline_code);
+  encode(content, [&content](const StepCounts& counts) {
+    return make_outline_code(counts, content.outlines.most_code_bits);
+  });
 }
 
 void encode_outlines_widely(RomContent& content) {

@@ -36,6 +36,7 @@ struct OutlineCoding {
   int grid_shift = 0;
   int code_bits = 0;
   int max_points = 0;
+  int most_code_bits = 7;  // that encode_outlines() may take
   std::vector<uint16_t> table;
 };
 
@@ -58,6 +59,8 @@ struct RomContent {
   KerningMatrix kerning;
   FontHints hints;  // of outlines only
   std::vector<RomMorph> morphs;  // ascending by first and second
+  /// Of a paged font; 0: it lies in mapped memory.
+  size_t block_bytes = 0;
 };
 
 }  // namespace inkcell::gen

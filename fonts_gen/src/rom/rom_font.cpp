@@ -10,6 +10,7 @@
 #include "hints/grid_section.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
+#include "rom/font_sections.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -20,80 +21,10 @@ namespace section = format::section;
 constexpr unsigned kAlignmentLog2 = 2;
 static_assert(1 << kAlignmentLog2 == format::kAlignment);
 
-// The reflected CRC-32 of Ethernet and PNG, bit by bit: the plain form of what
-// the device computes by table.
-uint32_t crc32(const uint8_t* data, size_t size, uint32_t crc = 0) {
-  crc = ~crc;
-  for (size_t i = 0; i < size; ++i) {
-    crc ^= data[i];
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320u : 0u);
-    }
-  }
-  return ~crc;
-}
-
-// Consecutive code points on consecutive glyphs become one entry.
-Bytes cmap_section(const RomContent& content) {
-  struct Entry {
-    char32_t first;
-    uint32_t extra;
-    uint32_t glyph;
-  };
-  std::vector<Entry> entries;
-  for (const auto& [code_point, glyph] : content.glyph_of) {
-    if (!entries.empty()) {
-      Entry& last = entries.back();
-      const uint32_t step = last.extra + 1;
-      if (code_point == last.first + step && glyph == last.glyph + step &&
-          step <= 0xffff) {
-        last.extra = step;
-        continue;
-      }
-    }
-    entries.push_back({code_point, 0, glyph});
-  }
-  Bytes out;
-  for (const Entry& entry : entries) {
-    put_u32(out, entry.first);
-    put_u16(out, entry.extra);
-    put_u16(out, entry.glyph);
-  }
-  return out;
-}
-
 using MetricsRow = std::array<int, format::metrics::kColumns>;
 
 MetricsRow metrics_row(const GlyphMetrics& m) {
   return {m.advance, m.x_min, m.y_min, m.x_max, m.y_max};
-}
-
-Bytes metrics_section(const RomContent& content) {
-  MetricsRow least = metrics_row(content.glyphs[0].metrics);
-  MetricsRow most = least;
-  for (const RomGlyph& glyph : content.glyphs) {
-    const MetricsRow row = metrics_row(glyph.metrics);
-    for (size_t i = 0; i < row.size(); ++i) {
-      least[i] = std::min(least[i], row[i]);
-      most[i] = std::max(most[i], row[i]);
-    }
-  }
-  Bytes out;
-  for (const int base : least) {
-    put_i16(out, base);
-  }
-  for (size_t i = 0; i < least.size(); ++i) {
-    put_u8(out, width_of(static_cast<uint32_t>(most[i] - least[i])));
-  }
-  BitTableWriter table(out);
-  for (const RomGlyph& glyph : content.glyphs) {
-    const MetricsRow row = metrics_row(glyph.metrics);
-    for (size_t i = 0; i < row.size(); ++i) {
-      table.put(static_cast<uint32_t>(row[i] - least[i]),
-                width_of(static_cast<uint32_t>(most[i] - least[i])));
-    }
-  }
-  return out;
 }
 
 // The pairs that kern, row by row, as KERN wants them.
@@ -231,44 +162,6 @@ OffsetUnits offset_units(const RomContent& content,
               ": the font would pass 4 GB; ask for fewer characters");
 }
 
-Bytes glyphs_section(const RomContent& content) {
-  std::vector<Bytes> records;
-  for (const RomGlyph& glyph : content.glyphs) {
-    records.push_back(glyph_record(glyph));
-  }
-  const OffsetUnits units = offset_units(content, records);
-  Bytes out;
-  out.reserve(units.total);
-  put_u8(out, units.width);
-  put_u8(out, units.unit_log2);
-  BitTableWriter offsets(out);
-  uint64_t end = units.begin;
-  const auto put_end = [&] {
-    offsets.put(static_cast<uint32_t>(end >> units.unit_log2), units.width);
-  };
-  put_end();
-  for (const Bytes& record : records) {
-    end += record.empty() ? 0 : units.round_up(record.size());
-    put_end();
-  }
-  for (const Bytes& record : records) {
-    pad(out, units.unit_log2);
-    out.insert(out.end(), record.begin(), record.end());
-  }
-  pad(out, units.unit_log2);
-  // Readers take four bytes at once, also where no glyph has ink.
-  out.resize(std::max<size_t>(out.size(), 4));
-  return out;
-}
-
-Bytes code_section(const RomContent& content) {
-  Bytes out;
-  for (const uint16_t word : content.outlines.table) {
-    put_u16(out, word);
-  }
-  return out;
-}
-
 Bytes morphs_section(const RomContent& content) {
   namespace morphs = format::morphs;
   Bytes out;
@@ -391,27 +284,9 @@ void set_range(Bytes& out, const RomContent& content) {
   set_u16(out, header::kMaxPoints, static_cast<unsigned>(outlines.max_points));
 }
 
-// The last thing that is written: the header's checksum covers the others.
-void set_checksums(Bytes& out, size_t header_bytes) {
-  set_u32(out, header::kTotalBytes, static_cast<uint32_t>(out.size()));
-  set_u32(out, header::kContentCrc,
-          crc32(out.data() + header_bytes, out.size() - header_bytes));
-  const uint32_t before = crc32(out.data(), header::kHeaderCrc);
-  set_u32(out, header::kHeaderCrc,
-          crc32(out.data() + header::kContentCrc,
-                header_bytes - header::kContentCrc, before));
-}
-
-struct Section {
-  uint32_t tag;
-  uint32_t must_understand;  // kMustUnderstand or 0
-  Bytes bytes;
-  size_t PartBytes::*part;
-};
-
-std::vector<Section> make_sections(const RomContent& content) {
+std::vector<FontSection> make_sections(const RomContent& content) {
   constexpr uint32_t kNeeded = section::kMustUnderstand;
-  std::vector<Section> sections;
+  std::vector<FontSection> sections;
   const auto add = [&](uint32_t tag, uint32_t must_understand, Bytes bytes,
                        size_t PartBytes::*part) {
     if (!bytes.empty()) {
@@ -432,6 +307,114 @@ std::vector<Section> make_sections(const RomContent& content) {
 
 }  // namespace
 
+// The reflected CRC-32 of Ethernet and PNG, bit by bit: the plain form of what
+// the device computes by table.
+uint32_t crc32(const uint8_t* data, size_t size, uint32_t crc) {
+  crc = ~crc;
+  for (size_t i = 0; i < size; ++i) {
+    crc ^= data[i];
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320u : 0u);
+    }
+  }
+  return ~crc;
+}
+
+// Consecutive code points on consecutive glyphs become one entry.
+Bytes cmap_section(const RomContent& content) {
+  struct Entry {
+    char32_t first;
+    uint32_t extra;
+    uint32_t glyph;
+  };
+  std::vector<Entry> entries;
+  for (const auto& [code_point, glyph] : content.glyph_of) {
+    if (!entries.empty()) {
+      Entry& last = entries.back();
+      const uint32_t step = last.extra + 1;
+      if (code_point == last.first + step && glyph == last.glyph + step &&
+          step <= 0xffff) {
+        last.extra = step;
+        continue;
+      }
+    }
+    entries.push_back({code_point, 0, glyph});
+  }
+  Bytes out;
+  for (const Entry& entry : entries) {
+    put_u32(out, entry.first);
+    put_u16(out, entry.extra);
+    put_u16(out, entry.glyph);
+  }
+  return out;
+}
+
+Bytes metrics_section(const RomContent& content) {
+  MetricsRow least = metrics_row(content.glyphs[0].metrics);
+  MetricsRow most = least;
+  for (const RomGlyph& glyph : content.glyphs) {
+    const MetricsRow row = metrics_row(glyph.metrics);
+    for (size_t i = 0; i < row.size(); ++i) {
+      least[i] = std::min(least[i], row[i]);
+      most[i] = std::max(most[i], row[i]);
+    }
+  }
+  Bytes out;
+  for (const int base : least) {
+    put_i16(out, base);
+  }
+  for (size_t i = 0; i < least.size(); ++i) {
+    put_u8(out, width_of(static_cast<uint32_t>(most[i] - least[i])));
+  }
+  BitTableWriter table(out);
+  for (const RomGlyph& glyph : content.glyphs) {
+    const MetricsRow row = metrics_row(glyph.metrics);
+    for (size_t i = 0; i < row.size(); ++i) {
+      table.put(static_cast<uint32_t>(row[i] - least[i]),
+                width_of(static_cast<uint32_t>(most[i] - least[i])));
+    }
+  }
+  return out;
+}
+
+Bytes glyphs_section(const RomContent& content) {
+  std::vector<Bytes> records;
+  for (const RomGlyph& glyph : content.glyphs) {
+    records.push_back(glyph_record(glyph));
+  }
+  const OffsetUnits units = offset_units(content, records);
+  Bytes out;
+  out.reserve(units.total);
+  put_u8(out, units.width);
+  put_u8(out, units.unit_log2);
+  BitTableWriter offsets(out);
+  uint64_t end = units.begin;
+  const auto put_end = [&] {
+    offsets.put(static_cast<uint32_t>(end >> units.unit_log2), units.width);
+  };
+  put_end();
+  for (const Bytes& record : records) {
+    end += record.empty() ? 0 : units.round_up(record.size());
+    put_end();
+  }
+  for (const Bytes& record : records) {
+    pad(out, units.unit_log2);
+    out.insert(out.end(), record.begin(), record.end());
+  }
+  pad(out, units.unit_log2);
+  // Readers take four bytes at once, also where no glyph has ink.
+  out.resize(std::max<size_t>(out.size(), 4));
+  return out;
+}
+
+Bytes code_section(const RomContent& content) {
+  Bytes out;
+  for (const uint16_t word : content.outlines.table) {
+    put_u16(out, word);
+  }
+  return out;
+}
+
 std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   if (!glyph.outline_record.empty()) {
     return glyph.outline_record;
@@ -439,9 +422,11 @@ std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   return glyph.field.tiles_x == 0 ? Bytes() : field_record(glyph.field);
 }
 
-std::vector<uint8_t> write_rom_font(const RomContent& content,
-                                    PartBytes& parts) {
-  const std::vector<Section> sections = make_sections(content);
+std::vector<uint8_t> assemble_font(const RomContent& content,
+                                   size_t glyph_count,
+                                   const std::vector<FontSection>& sections,
+                                   size_t zeros,
+                                   PartBytes& parts) {
   const size_t header_bytes =
       header::kBytes + section::kBytes * sections.size();
   Bytes out(header_bytes);
@@ -449,8 +434,7 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
   out[header::kFormatMinor] = kFormatMinor;
   out[header::kFormatMajor] = kFormatMajor;
   set_u16(out, header::kHeaderBytes, static_cast<unsigned>(header_bytes));
-  set_u16(out, header::kGlyphCount,
-          static_cast<unsigned>(content.glyphs.size()));
+  set_u16(out, header::kGlyphCount, static_cast<unsigned>(glyph_count));
   set_u16(out, header::kSectionCount, static_cast<unsigned>(sections.size()));
   set_metrics(out, content);
   set_range(out, content);
@@ -458,20 +442,36 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
   parts = PartBytes{};
   parts.header = header_bytes;
   size_t entry = header::kBytes;
-  for (const Section& part : sections) {
+  for (const FontSection& part : sections) {
     const size_t begin = out.size();
+    const bool is_last = &part == &sections.back();
     set_u32(out, entry + section::kTag, part.tag);
     set_u32(out, entry + section::kOffset,
             static_cast<uint32_t>(begin) | part.must_understand);
     set_u32(out, entry + section::kSize,
-            static_cast<uint32_t>(part.bytes.size()));
+            static_cast<uint32_t>(part.bytes.size() + (is_last ? zeros : 0)));
     entry += section::kBytes;
     out.insert(out.end(), part.bytes.begin(), part.bytes.end());
     pad(out, kAlignmentLog2);
     parts.*part.part += out.size() - begin;
   }
-  set_checksums(out, header_bytes);
+  out.resize(out.size() + zeros);
+  // The last thing that is written: the header's checksum covers the others.
+  set_u32(out, header::kTotalBytes, static_cast<uint32_t>(out.size()));
+  set_u32(out, header::kContentCrc,
+          crc32(out.data() + header_bytes, out.size() - header_bytes));
+  const uint32_t before = crc32(out.data(), header::kHeaderCrc);
+  set_u32(out, header::kHeaderCrc,
+          crc32(out.data() + header::kContentCrc,
+                header_bytes - header::kContentCrc, before));
+  out.resize(out.size() - zeros);
   return out;
+}
+
+std::vector<uint8_t> write_rom_font(const RomContent& content,
+                                    PartBytes& parts) {
+  return assemble_font(content, content.glyphs.size(), make_sections(content),
+                       0, parts);
 }
 
 }  // namespace inkcell::gen

@@ -21,6 +21,7 @@ SAME_VALUE(INKCELL_MISALIGNED, Status::misaligned);
 SAME_VALUE(INKCELL_UNSUPPORTED, Status::unsupported);
 SAME_VALUE(INKCELL_BAD_ARGUMENT, Status::bad_argument);
 SAME_VALUE(INKCELL_BEYOND_BAND, Status::beyond_band);
+SAME_VALUE(INKCELL_READ_FAILED, Status::read_failed);
 SAME_FIELD(inkcell_rect_t, x0, Rect, x0);
 SAME_FIELD(inkcell_rect_t, y0, Rect, y0);
 SAME_FIELD(inkcell_rect_t, x1, Rect, x1);

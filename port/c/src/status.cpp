@@ -10,7 +10,7 @@ const char* inkcell_status_name(inkcell_status_t status) {
   static constexpr char kNames[][13] = {
       "ok",           "bad_magic",    "bad_version", "corrupt",
       "no_glyph",     "buffer_small", "misaligned",  "unsupported",
-      "bad_argument", "beyond_band",  "unknown"};
+      "bad_argument", "beyond_band",  "read_failed", "unknown"};
   constexpr uint8_t kUnknown = sizeof kNames / sizeof kNames[0] - 1;
   return kNames[status < kUnknown ? status : kUnknown];
 }

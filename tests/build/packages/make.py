@@ -40,6 +40,6 @@ def build(work, _, fontgen):
     call(CXX.replace("g++", "gcc"), *CPU, "-std=c99", "-c",
          folder / "build/inkcell_fonts/fonts/in_c.c", "-o", folder / "in_c.o")
     listed = call("make", "-C", folder, "-s", "list",
-                  "INKCELL_LIBRARIES=c kinetic").split()
+                  "INKCELL_LIBRARIES=c kinetic stored").split()
     check_libraries("Make", listed, LIBRARIES)
     return {"make": size_of(folder / "app")}

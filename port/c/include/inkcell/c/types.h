@@ -27,7 +27,8 @@ enum {
   INKCELL_MISALIGNED = 6,    // memory that is not at the multiple it must be
   INKCELL_UNSUPPORTED = 7,   // a coding or effect that is not there
   INKCELL_BAD_ARGUMENT = 8,  // outside the range that the call states
-  INKCELL_BEYOND_BAND = 9    // farther than the font's distances reach
+  INKCELL_BEYOND_BAND = 9,   // farther than the font's distances reach
+  INKCELL_READ_FAILED = 10   // the storage of a font did not give its bytes
 };
 
 /// The name of a status, such as "bad_magic", or "unknown". In ROM.

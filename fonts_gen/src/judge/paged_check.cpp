@@ -1,0 +1,90 @@
+#include "judge/paged_check.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.hpp"
+#include "hints/grid_section.hpp"
+#include "inkcell/grid_hints.hpp"
+#include "inkcell/stored/stored_font.hpp"
+#include "source/char_set.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+bool read_bytes(void* context,
+                uint32_t offset,
+                uint8_t* bytes,
+                uint32_t count) {
+  const auto& from = *static_cast<const std::vector<uint8_t>*>(context);
+  if (offset > from.size() || count > from.size() - offset) {
+    return false;
+  }
+  std::copy_n(from.begin() + offset, count, bytes);
+  return true;
+}
+
+bool is_same(const std::vector<uint8_t>& bytes,
+             const Span<const uint8_t>& read) {
+  return std::equal(bytes.begin(), bytes.end(), read.begin(), read.end());
+}
+
+bool is_right(const Font& font,
+              const RomContent& content,
+              char32_t code_point,
+              size_t source) {
+  uint16_t glyph = 0;
+  if (font.glyph_of(code_point, glyph) != Status::ok) {
+    return false;
+  }
+  GridHints hints;
+  GlyphMetrics m;
+  const RomGlyph& expected = content.glyphs[source];
+  const GlyphMetrics& s = expected.metrics;
+  if (GridHints::open(font, hints) != Status::ok ||
+      font.glyph_metrics(glyph, m) != Status::ok || m.advance != s.advance ||
+      m.x_min != s.x_min || m.y_min != s.y_min || m.x_max != s.x_max ||
+      m.y_max != s.y_max) {
+    return false;
+  }
+  uint32_t id = glyph;
+  const Font* const page = font.page_of(id);
+  Span<const uint8_t> hint;
+  return page != nullptr &&
+         is_same(expected.outline_record,
+                 page->record(static_cast<uint16_t>(id))) &&
+         (content.hints.empty() ||
+          (hints.record(id, hint) &&
+           is_same(hint_record(content.hints.glyphs[source]), hint)));
+}
+
+}  // namespace
+
+void check_paged_font(const std::vector<uint8_t>& bytes,
+                      const RomContent& content) {
+  std::vector<uint64_t> ram(
+      StoredFont::ram_bytes(content.block_bytes, 4) / sizeof(uint64_t) + 1);
+  auto file = bytes;
+  StoredFont stored;
+  const Status status = StoredFont::open(
+      {read_bytes, &file},
+      {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * sizeof(uint64_t)},
+      stored);
+  std::string wrong;
+  if (status != Status::ok || stored.verify() != Status::ok) {
+    wrong = "that the device does not open it";
+  }
+  for (const auto& [code_point, glyph] : content.glyph_of) {
+    if (wrong.empty() && !is_right(stored.font(), content, code_point, glyph)) {
+      wrong = "the glyph of " + describe(code_point);
+    }
+  }
+  if (!wrong.empty()) {
+    throw Error(content.name +
+                ": the finished font differs from its source in " + wrong +
+                "; nothing was written. This is an error of the generator: "
+                "please report it");
+  }
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,315 @@
+#include "rom/paged_font.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/bit_table_writer.hpp"
+#include "base/byte_writer.hpp"
+#include "base/error.hpp"
+#include "hints/grid_section.hpp"
+#include "inkcell/format/paged.hpp"
+#include "inkcell/format/rom.hpp"
+#include "inkcell/version.hpp"
+#include "rom/font_sections.hpp"
+#include "source/char_set.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+namespace entry = format::paged::entry;
+namespace paged = format::paged;
+namespace section = format::section;
+namespace trailer = format::paged::trailer;
+
+using Characters = std::vector<std::pair<char32_t, uint16_t>>;
+
+// A glyph without what its record was made of.
+RomGlyph bare(const RomGlyph& glyph) {
+  RomGlyph copy;
+  copy.outline_record = glyph.outline_record;
+  copy.metrics = glyph.metrics;
+  return copy;
+}
+
+struct Page {
+  char32_t first_code_point = 0;
+  size_t glyphs = 0;  // without the empty glyph 0
+  Bytes bytes;        // a block but for first_glyph in its trailer
+};
+
+// Pages whose hints all have tables of one size, because the resident font,
+// which ends with them, is opened once.
+class PageMaker {
+ public:
+  // `slots`: glyphs of a page at most, with glyph 0.
+  PageMaker(const RomContent& content, size_t slots)
+      : content_(content),
+        slots_(slots),
+        offset_bits_(
+            width_of(static_cast<uint32_t>(content.block_bytes / 4 - 1))) {}
+
+  size_t slots() const { return slots_; }
+  unsigned offset_bits() const { return offset_bits_; }
+
+  std::vector<Page> pages() const {
+    std::vector<Page> pages;
+    Characters taken;
+    std::optional<Page> made;
+    for (const auto& character : content_.glyph_of) {
+      taken.push_back(character);
+      std::optional<Page> next = page(taken);
+      if (!next.has_value() && made.has_value()) {
+        pages.push_back(std::move(*made));
+        taken.erase(taken.begin(), taken.end() - 1);
+        next = page(taken);
+      }
+      if (!next.has_value()) {
+        refuse(character);
+      }
+      made = std::move(next);
+    }
+    if (made.has_value()) {
+      pages.push_back(std::move(*made));
+    }
+    return pages;
+  }
+
+  // The offsets of hints, and the hints. None where the table has no room.
+  std::optional<Bytes> hints(const std::vector<uint16_t>& glyphs) const {
+    Bytes out;
+    if (content_.hints.empty()) {
+      return out;
+    }
+    Bytes records;
+    BitTableWriter table(out);
+    table.put(0, offset_bits_);  // of glyph 0, which has none
+    for (size_t slot = 1; slot <= slots_; ++slot) {
+      table.put(static_cast<uint32_t>(records.size()), offset_bits_);
+      if (slot <= glyphs.size()) {
+        const Bytes record =
+            hint_record(content_.hints.glyphs[glyphs[slot - 1]]);
+        records.insert(records.end(), record.begin(), record.end());
+      }
+    }
+    if (records.size() >> offset_bits_ != 0) {
+      return std::nullopt;
+    }
+    out.insert(out.end(), records.begin(), records.end());
+    return out;
+  }
+
+ private:
+  // None if they do not fit.
+  std::optional<Page> page(const Characters& characters) const {
+    RomContent part;
+    part.options = content_.options;
+    std::vector<uint16_t> glyphs;
+    std::map<uint16_t, uint16_t> place_of;
+    part.glyphs.emplace_back();
+    for (const auto& [code_point, glyph] : characters) {
+      const auto [place, is_new] =
+          place_of.emplace(glyph, static_cast<uint16_t>(part.glyphs.size()));
+      if (is_new) {
+        glyphs.push_back(glyph);
+        part.glyphs.push_back(bare(content_.glyphs[glyph]));
+      }
+      part.glyph_of[code_point] = place->second;
+    }
+    // Widens no column.
+    part.glyphs[0].metrics = part.glyphs[1].metrics;
+    std::optional<Bytes> bytes = hints(glyphs);
+    const Bytes runs = cmap_section(part);
+    constexpr size_t kMostRuns = 255;
+    if (part.glyphs.size() > slots_ || !bytes.has_value() ||
+        runs.size() / format::cmap::kBytes > kMostRuns) {
+      return std::nullopt;
+    }
+    Page page;
+    page.first_code_point = characters.front().first;
+    page.glyphs = glyphs.size();
+    Bytes& out = *bytes;
+    pad(out, 1);
+    const size_t metrics = out.size();
+    const Bytes rows = metrics_section(part);
+    out.insert(out.end(), rows.begin(), rows.end());
+    const size_t records = out.size();
+    const Bytes outlines = glyphs_section(part);
+    out.insert(out.end(), outlines.begin(), outlines.end());
+    const size_t end = content_.block_bytes - trailer::kBytes;
+    if (out.size() + runs.size() > end) {
+      return std::nullopt;
+    }
+    out.resize(end - runs.size());
+    out.insert(out.end(), runs.begin(), runs.end());
+    out.resize(content_.block_bytes);
+    out[end + trailer::kGlyphs] = static_cast<uint8_t>(part.glyphs.size());
+    out[end + trailer::kRuns] =
+        static_cast<uint8_t>(runs.size() / format::cmap::kBytes);
+    set_u16(out, end + trailer::kMetrics, static_cast<unsigned>(metrics));
+    set_u16(out, end + trailer::kRecords, static_cast<unsigned>(records));
+    page.bytes = std::move(out);
+    return page;
+  }
+
+  [[noreturn]] void refuse(
+      const std::pair<const char32_t, uint16_t>& character) const {
+    const size_t bytes =
+        content_.glyphs[character.second].outline_record.size();
+    const bool is_largest = content_.block_bytes == paged::kMaxBlockBytes;
+    throw Error(content_.name + ": " + describe(character.first) + " takes " +
+                std::to_string(bytes) + " bytes beside its tables, a block " +
+                std::to_string(content_.block_bytes) + "; " +
+                (is_largest ? "raise --tolerance, or lower --max-px"
+                            : "use --paged " +
+                                  std::to_string(2 * content_.block_bytes)));
+  }
+
+  const RomContent& content_;
+  size_t slots_;
+  unsigned offset_bits_;
+};
+
+// The font of .notdef. It has as many glyphs as a page at most, and ends where
+// the hints of a page begin.
+Bytes resident_font(const RomContent& content, const PageMaker& maker) {
+  RomContent part;
+  part.options = content.options;
+  part.glyphs.resize(maker.slots());
+  for (RomGlyph& glyph : part.glyphs) {
+    glyph.metrics = content.glyphs[0].metrics;  // columns without bits
+  }
+  part.glyphs[0] = bare(content.glyphs[0]);
+  constexpr uint32_t kNeeded = section::kMustUnderstand;
+  std::vector<FontSection> sections = {
+      {section::kMetrics, kNeeded, metrics_section(part), &PartBytes::metrics},
+      {section::kCode, kNeeded, code_section(content), &PartBytes::glyphs},
+      {section::kGlyphs, kNeeded, glyphs_section(part), &PartBytes::glyphs}};
+  if (!content.hints.empty()) {
+    sections.push_back({section::kGrid, 0,
+                        grid_head(content.hints.face, maker.offset_bits()),
+                        &PartBytes::hints});
+  }
+  PartBytes parts;
+  return assemble_font(content, maker.slots(), sections, content.block_bytes,
+                       parts);
+}
+
+// An entry of the index for each page, then one for each block of entries, and
+// so on: from the pages to the roots.
+std::vector<std::vector<Bytes>> index_levels(const std::vector<Page>& pages,
+                                             size_t first_glyph,
+                                             size_t most_roots,
+                                             size_t fan_out) {
+  std::vector<std::vector<Bytes>> levels(1);
+  for (const Page& page : pages) {
+    Bytes made;
+    put_u16(made, static_cast<unsigned>(first_glyph));
+    put_u16(made, page.first_code_point & 0xffff);
+    put_u16(made, page.first_code_point >> 16);
+    levels[0].push_back(std::move(made));
+    first_glyph += page.glyphs;
+  }
+  while (levels.back().size() > most_roots) {
+    std::vector<Bytes> above;
+    for (size_t i = 0; i < levels.back().size(); i += fan_out) {
+      above.push_back(levels.back()[i]);
+    }
+    levels.push_back(std::move(above));
+  }
+  return levels;
+}
+
+// The fewest pages: more slots hold small glyphs, and cost offsets of hints.
+std::pair<PageMaker, std::vector<Page>> best_pages(const RomContent& content) {
+  std::optional<std::pair<PageMaker, std::vector<Page>>> best;
+  constexpr size_t kSlots[] = {3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 24, 32};
+  for (const size_t slots : kSlots) {
+    const PageMaker maker(content, slots);
+    std::vector<Page> pages = maker.pages();
+    if (!best.has_value() || pages.size() < best->second.size()) {
+      best.emplace(maker, std::move(pages));
+    }
+  }
+  return std::move(*best);
+}
+
+}  // namespace
+
+std::vector<uint8_t> write_paged_font(const RomContent& content,
+                                      PartBytes& parts) {
+  auto [maker, pages] = best_pages(content);
+  const size_t block = content.block_bytes;
+  const Bytes font = resident_font(content, maker);
+  const size_t taken = paged::kBytes + entry::kBytes + font.size();
+  if (taken > paged::kMaxResidentBytes) {
+    throw Error(content.name + ": the resident part takes " +
+                std::to_string(taken) + " bytes, at most " +
+                std::to_string(paged::kMaxResidentBytes) +
+                " are possible; .notdef takes " +
+                std::to_string(content.glyphs[0].outline_record.size()) +
+                " of them: use a font file with a simpler one");
+  }
+  const size_t room = (paged::kMaxResidentBytes - paged::kBytes - font.size()) &
+                      ~(size_t{format::kAlignment} - 1);
+  const size_t fan_out = block / entry::kBytes;
+  const auto levels =
+      index_levels(pages, maker.slots(), room / entry::kBytes, fan_out);
+  size_t glyph_end = maker.slots();
+  for (const Page& page : pages) {
+    glyph_end += page.glyphs;
+  }
+  if (levels.size() > paged::kMaxLevels + 1 || glyph_end > UINT16_MAX) {
+    throw Error(content.name + ": " + std::to_string(glyph_end) +
+                " glyphs on " + std::to_string(pages.size()) +
+                " pages; at most 65535 are possible, and an index of two "
+                "levels: use larger blocks, or ask for fewer characters");
+  }
+
+  Bytes out(paged::kBytes);
+  set_u32(out, paged::kMagicAt, paged::kMagic);
+  out[paged::kFormatMinor] = kFormatMinor;
+  out[paged::kFormatMajor] = kFormatMajor;
+  for (const Bytes& root : levels.back()) {
+    out.insert(out.end(), root.begin(), root.end());
+  }
+  pad(out, 2);
+  set_u16(out, paged::kFontOffset, static_cast<unsigned>(out.size()));
+  out.insert(out.end(), font.begin(), font.end());
+  const size_t resident = out.size();
+  set_u16(out, paged::kResidentBytes, static_cast<unsigned>(resident));
+  set_u16(out, paged::kBlockBytes, static_cast<unsigned>(block));
+  set_u16(out, paged::kGlyphEnd, static_cast<unsigned>(glyph_end));
+  out[paged::kLevels] = static_cast<uint8_t>(levels.size() - 1);
+  out[paged::kRoots] = static_cast<uint8_t>(levels.back().size());
+  set_u32(out, paged::kPages, static_cast<uint32_t>(pages.size()));
+  out.resize(block);
+  for (size_t level = levels.size() - 1; level-- != 0;) {
+    for (size_t i = 0; i < levels[level].size(); ++i) {
+      out.resize(i % fan_out == 0 ? (out.size() + block - 1) / block * block
+                                  : out.size());
+      out.insert(out.end(), levels[level][i].begin(), levels[level][i].end());
+    }
+    out.resize((out.size() + block - 1) / block * block);
+  }
+  parts = PartBytes{};
+  parts.header = block;
+  parts.cmap = out.size() - block;
+  size_t first_glyph = maker.slots();
+  for (Page& page : pages) {
+    set_u16(page.bytes, block - trailer::kBytes + trailer::kFirstGlyph,
+            static_cast<unsigned>(first_glyph));
+    first_glyph += page.glyphs;
+    out.insert(out.end(), page.bytes.begin(), page.bytes.end());
+  }
+  parts.glyphs = out.size() - parts.total();
+  set_u32(out, paged::kContentCrc,
+          crc32(out.data() + block, out.size() - block));
+  set_u32(out, paged::kHeaderCrc,
+          crc32(out.data() + paged::kContentCrc, resident - paged::kContentCrc,
+                crc32(out.data(), paged::kHeaderCrc)));
+  return out;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,165 @@
+// Paged fonts: every glyph is drawn as from the font in mapped memory.
+#include <gtest/gtest.h>
+
+#include "rom/paged_font.hpp"
+
+#include <algorithm>
+
+#include "inkcell/fit.hpp"
+#include "inkcell/format/paged.hpp"
+#include "inkcell/painter.hpp"
+#include "inkcell/stored/stored_font.hpp"
+#include "pipeline/generate.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+GenerateRequest paged_request() {
+  GenerateRequest request;
+  request.font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  request.target.min_px = 12;
+  request.target.max_px = 16;
+  request.chars = {"0x21-0x5A,0x400-0x42F"};
+  request.layout_glyphs = false;
+  return request;
+}
+
+std::string paged_refusal(const GenerateRequest& request) {
+  try {
+    generate(request);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool read_file(void* context, uint32_t offset, uint8_t* bytes, uint32_t count) {
+  const auto& file = *static_cast<std::vector<uint8_t>*>(context);
+  if (offset > file.size() || count > file.size() - offset) {
+    return false;
+  }
+  std::copy_n(file.begin() + offset, count, bytes);
+  return true;
+}
+
+constexpr int kPagedSide = 40;
+
+struct PagedPicture {
+  std::vector<uint8_t> pixels = std::vector<uint8_t>(kPagedSide * kPagedSide);
+
+  static void put(void* context,
+                  int32_t x,
+                  int32_t y,
+                  const uint8_t* coverage,
+                  int32_t count) {
+    auto& pixels = static_cast<PagedPicture*>(context)->pixels;
+    std::copy_n(coverage, count, pixels.begin() + y * kPagedSide + x);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    auto& pixels = static_cast<PagedPicture*>(context)->pixels;
+    std::fill_n(pixels.begin() + y * kPagedSide + x, count, uint8_t{255});
+  }
+};
+
+PagedPicture draw_paged(const Font& font, int px, char32_t c) {
+  PagedPicture picture;
+  Style style(Q26_6::from_int(px));
+  Fit fit;
+  FitOptions options;
+  options.across = px == 11;
+  EXPECT_EQ(Fit::make(font, style, options, fit), Status::ok);
+  style.set_fit(fit);
+  const Sink sink = {{0, 0, kPagedSide, kPagedSide},
+                     &picture,
+                     PagedPicture::put,
+                     PagedPicture::solid};
+  Painter(sink).glyph(font, style, {Q26_6::from_int(4), Q26_6::from_int(30)},
+                      font.glyph_or_notdef(c));
+  return picture;
+}
+
+TEST(PagedFont, DrawsAsTheFontInMappedMemory) {
+  GenerateRequest request = paged_request();
+  const std::vector<uint8_t> mapped_bytes = generate(request).bytes;
+  Font mapped;
+  ASSERT_EQ(Font::open({mapped_bytes.data(), mapped_bytes.size()}, mapped),
+            Status::ok);
+  for (const int block : {512, 1024}) {
+    request.paged = block;
+    std::vector<uint8_t> file = generate(request).bytes;
+    EXPECT_EQ(file.size() % static_cast<size_t>(block), 0u);
+    std::vector<uint64_t> ram(
+        StoredFont::ram_bytes(static_cast<size_t>(block), 1) / 8 + 1);
+    StoredFont stored;
+    ASSERT_EQ(
+        StoredFont::open(
+            {read_file, &file},
+            {reinterpret_cast<uint8_t*>(ram.data()), 8 * ram.size()}, stored),
+        Status::ok);
+    EXPECT_EQ(stored.verify(), Status::ok);
+    const Font& font = stored.font();
+    EXPECT_EQ(font.metrics().ascender, mapped.metrics().ascender);
+    for (const char32_t c : std::u32string(U"!0AQ\u0416\u042f")) {
+      for (const int px : {11, 13, 24}) {
+        EXPECT_EQ(draw_paged(font, px, c).pixels,
+                  draw_paged(mapped, px, c).pixels)
+            << block << " " << px << " " << static_cast<unsigned>(c);
+      }
+      EXPECT_EQ(font.advance(font.glyph_or_notdef(c)),
+                mapped.advance(mapped.glyph_or_notdef(c)));
+    }
+    EXPECT_EQ(stored.status(), Status::ok);
+    file.back() ^= 1;
+    EXPECT_EQ(stored.verify(), Status::corrupt);
+    // It is no font for mapped memory.
+    Font other;
+    EXPECT_EQ(Font::open({reinterpret_cast<uint8_t*>(ram.data()), 512}, other),
+              Status::bad_magic);
+  }
+}
+
+TEST(PagedFont, SaysWhatItDoesNotHold) {
+  GenerateRequest request = paged_request();
+  request.paged = 512;
+  request.chars = {"A-Z"};
+  const Warnings warnings = generate(request).warnings;
+  EXPECT_TRUE(
+      std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+        return warning.kind == Warning::Kind::no_kerning;
+      }));
+  request.paged = 700;
+  EXPECT_EQ(paged_refusal(request),
+            "--paged 700: blocks have 512, 1024, 2048 or 4096 bytes");
+  request.paged = 512;
+  request.target.coding = Coding::field;
+  EXPECT_EQ(paged_refusal(request),
+            "--paged is for outlines; leave --coding field out");
+}
+
+TEST(PagedFont, NamesAGlyphThatIsLargerThanABlock) {
+  RomContent content;
+  content.name = "Face";
+  content.metrics.units_per_em = 1000;
+  content.options = paged_request().target;
+  content.outlines.code_bits = 4;
+  content.outlines.table.resize(16, 1);
+  content.glyphs.resize(2);
+  content.glyphs[1].outline_record.resize(600, 0x80);
+  content.glyph_of[0x9f98] = 1;
+  content.block_bytes = 512;
+  PartBytes parts;
+  try {
+    write_paged_font(content, parts);
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("U+9F98"), std::string::npos) << text;
+    EXPECT_NE(text.find("takes 600 bytes"), std::string::npos) << text;
+    EXPECT_NE(text.find("use --paged 1024"), std::string::npos) << text;
+  }
+  content.block_bytes = 1024;
+  EXPECT_EQ(write_paged_font(content, parts).size(), 2048u);
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
