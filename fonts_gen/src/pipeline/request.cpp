@@ -76,6 +76,7 @@ void check_request(const GenerateRequest& request) {
   if (target.effort < 0 || target.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
+  if (target.coding != Coding::outline && !request.morphs.empty()) {
     throw Error(
         "--morph moves outlines; use --coding outline, or leave it out");
   }
