@@ -53,8 +53,7 @@ int32_t advance_px(const FontState& state,
           : 0;
   const Style& style = state.style;
   if (style.has_whole_advances()) {
-    return style.fitter()->advance_px(state.font, glyph,
-                                      style.fitter_options()) +
+    return style.fitter()->advance_px(state.font, style, glyph) +
            to_px(state.font, style, kerning).raw / 64;
   }
   const int32_t units = state.font.advance(glyph) + kerning;
