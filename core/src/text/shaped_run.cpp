@@ -155,25 +155,37 @@ TextMeasure measure(const Font& font,
   return measure(font, RunCursor(font, style), run);
 }
 
+namespace {
+
+// A frame of its own, beside that of an adapted style.
+__attribute__((noinline)) void draw(const Painter& painter,
+                                    const Font& font,
+                                    const Style& style,
+                                    Point origin,
+                                    const ShapedRun& run) noexcept {
+  const detail::UnitScale scale(font, style);
+  RunCursor cursor(font, style);
+  origin = detail::run_origin(style, origin);
+  detail::GlyphRun drawn = {painter, &font, &style};
+  PositionedGlyph at;
+  detail::Placed placed;
+  for (const ShapedGlyph& next : run.glyphs) {
+    cursor.next(next, at);
+    if (detail::place_near(scale, style, origin, at, placed)) {
+      painter.drawer().draw(drawn, at.glyph, placed);
+    }
+  }
+}
+
+}  // namespace
+
 // Here, so that text without runs does not link their cursor.
 void Painter::text(const Font& font,
                    const Style& given,
                    Point origin,
                    const ShapedRun& run) const noexcept {
   detail::StyleRoom room;
-  const Style& style = adapted(given, false, room.style());
-  const detail::UnitScale scale(font, style);
-  RunCursor cursor(font, style);
-  origin = detail::run_origin(style, origin);
-  detail::GlyphRun drawn = {*this, &font, &style};
-  PositionedGlyph at;
-  detail::Placed placed;
-  for (const ShapedGlyph& next : run.glyphs) {
-    cursor.next(next, at);
-    if (detail::place_near(scale, style, origin, at, placed)) {
-      drawer_->draw(drawn, at.glyph, placed);
-    }
-  }
+  draw(*this, font, adapted(given, false, room.style()), origin, run);
 }
 
 }  // namespace inkcell
