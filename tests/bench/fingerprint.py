@@ -24,7 +24,7 @@ BUILDS = {
     "m3": ("Cortex-M3", ["-O2"]),
     "outlines": ("Cortex-M0", ["-Os"]),
 }
-SINKS = ["a8", "rgb565", "run"]
+SINKS = ["a8", "rgb565", "canvas"]
 
 
 def measured_sources():
