@@ -197,7 +197,8 @@ class Font {
   bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
   // A pointer to FontPages lies in place of a look-up of its own.
   const detail::FontPages& pages() const noexcept {
-    return *reinterpret_cast<const detail::FontPages*>(cmap_table().data);
+    const void* const pages = cmap_table().data;
+    return *static_cast<const detail::FontPages*>(pages);
   }
 
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
