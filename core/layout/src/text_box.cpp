@@ -168,9 +168,15 @@ __attribute__((always_inline)) inline void take_lines(
   }
 }
 
-}  // namespace
-
-namespace {
+void draw_lines(const TextBox& box,
+                Text text,
+                const Sink& sink,
+                Workspace workspace,
+                Span<const TextLine> lines) noexcept {
+  if (!is_empty(intersect(sink.window, box.clip))) {
+    take_lines(box, text, lines, sink.window, Drawing{sink, workspace});
+  }
+}
 
 // With the style that a sink of few levels draws the first face with.
 __attribute__((noinline)) void draw_adapted(const TextBox& box,
@@ -180,7 +186,7 @@ __attribute__((noinline)) void draw_adapted(const TextBox& box,
   Style room = *box.options.face.style;
   TextBox own = box;
   own.options.face.style = &sink.adapt(*box.options.face.style, false, room);
-  own.draw(text, sink, workspace);
+  draw_lines(own, text, sink, workspace, {});
 }
 
 }  // namespace
@@ -192,10 +198,8 @@ void TextBox::draw(Text text,
   if (sink.adapt != nullptr && lines.data == nullptr &&
       options.face.style->is_fit_open()) {
     draw_adapted(*this, text, sink, workspace);
-    return;
-  }
-  if (!is_empty(intersect(sink.window, clip))) {
-    take_lines(*this, text, lines, sink.window, Drawing{sink, workspace});
+  } else {
+    draw_lines(*this, text, sink, workspace, lines);
   }
 }
 
@@ -235,7 +239,7 @@ __attribute__((noinline)) TextPlace nearest_place(const BoxLines& lines,
   int32_t least = INT32_MAX;
   while (carets.next(offset, caret_x)) {
     const int32_t way = carets.x_q6(caret_x) - x_q6;
-    // Of two that are as near, the one to the left.
+    // Where two are as near, the one to the left.
     const int32_t rank = way < 0 ? -2 * way : 2 * way + 1;
     if (rank < least) {
       least = rank;
