@@ -96,15 +96,15 @@ struct OutlineRecord {
 class __attribute__((may_alias)) OutlineGlyph {
  public:
   // Finds the glyph and its ink, to the right and down; `slanted` is null for
-  // upright glyphs. False: the font has no outline for it. Then find_box()
-  // finds the pixels that may show something. `origin_q8`: what lies at whole
-  // numbers, from a sample's upper left corner. [samples]
+  // upright glyphs. False: the font has no outline for it.
   bool find(const Font& font,
             uint16_t glyph,
             Q26_6 size,
             const Style* slanted,
             InkEnds (&ink)[2],
             bool& is_mirrored) noexcept;
+  // Then the pixels that may show something. `origin_q8`: what lies at whole
+  // numbers, from a sample's upper left corner. [samples]
   void find_box(const Placed& placed,
                 const BandPlan& plan,
                 int32_t origin_q8,

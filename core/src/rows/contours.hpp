@@ -13,8 +13,7 @@ namespace detail {
 // next. Begins with {0, 0}, {0, 0} and false.
 //
 //   visitor.start(at)                   a contour begins there
-//   visitor.take(edge, is_bent, kind)   the line from edge[0] to edge[2], or
-//   the
+//   visitor.take(edge, is_bent, kind)   the line from edge[0] to edge[2], or a
 //                                       curve whose control point is edge[1].
 //       kind   that of its end; kOffCurve between two control points, where the
 //              visitor may move edge[2], and with it the next curve's begin

@@ -1,4 +1,4 @@
-// Draws all glyphs: band by band, from a source into a sink.
+// Draws any glyph: band by band, from a source into a sink.
 #pragma once
 
 #include "inkcell/strip.hpp"

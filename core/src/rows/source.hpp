@@ -55,8 +55,7 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
 
 // Draws the glyphs of one coding of fonts (Coding::source). draw_bands.cpp
 // calls, with a plan in place:
-//   prepare  finds the box, and sets band.is_mirrored. If the style is fitted
-//   it
+//   prepare  finds the box, and sets band.is_mirrored. For a fitted style it
 //            takes the maps from `ram`. If there is a sink, it clips the box,
 //            and takes what it keeps for fill() from `ram` (multiples of 4
 //            bytes; kLeastBand must be left). False: nothing shows.
