@@ -276,7 +276,8 @@ class Boards(Case):
                 self.check(screen, "demo", frame, screen["host"], "scene",
                            frame)
             for scene, program in screen["motion_hosts"].items():
-                self.check(screen, scene, 57, program, 57)
+                if scene != "values":  # sends rectangles: tests/screens
+                    self.check(screen, scene, 57, program, 57)
 
 
 def main():

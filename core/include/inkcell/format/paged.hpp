@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/cpp17.hpp"
+
 namespace inkcell {
 namespace format {
 namespace paged {
