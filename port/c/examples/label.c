@@ -19,7 +19,8 @@ inkcell_status_t draw_label(const void* rom,
   inkcell_mono_pages_target_t target = {
       .strip = {pages, LABEL_WIDTH * LABEL_HEIGHT / 8, 0, 0, LABEL_WIDTH,
                 LABEL_HEIGHT,
-                INKCELL_STRIDE_BYTES(INKCELL_MONO_PAGES, LABEL_WIDTH)},
+                INKCELL_STRIDE_BYTES(INKCELL_MONO_PAGES, LABEL_WIDTH),
+                INKCELL_LOW_FIRST},
       .threshold = 128,
       .level = 1};
   inkcell_sink_t sink;
