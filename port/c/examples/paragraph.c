@@ -18,7 +18,8 @@ inkcell_status_t draw_paragraph(
 
   inkcell_grey8_target_t target = {
       .strip = {pixels, PARAGRAPH_WIDTH * PARAGRAPH_HEIGHT, 0, 0,
-                PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT, PARAGRAPH_WIDTH},
+                PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT, PARAGRAPH_WIDTH,
+                INKCELL_LOW_FIRST},
       .level = 255};
   inkcell_sink_t sink;
   status = inkcell_grey8_sink(&target, &sink);
