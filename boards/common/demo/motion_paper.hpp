@@ -14,7 +14,9 @@ inline namespace INKCELL_DEMO_NAME {
 /// A strip to draw a scene on.
 class MotionPaper {
  public:
-  explicit MotionPaper(const Strip& strip) noexcept : canvas_(strip) {}
+  explicit MotionPaper(const Strip& strip) noexcept : canvas_(strip) {
+    canvas_.adapt = nullptr;  // type that moves is not fitted
+  }
   MotionPaper(const MotionPaper&) = delete;
   MotionPaper& operator=(const MotionPaper&) = delete;
 
