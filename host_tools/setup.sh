@@ -35,7 +35,7 @@ inkcell_packages_tests="$inkcell_packages_windows
   librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
-inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev
+inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zopfli
   libcli11-dev nlohmann-json3-dev fonts-dejavu-core"
 
 inkcell_packages_bare="git debootstrap debian-archive-keyring"

@@ -3,11 +3,12 @@
 //
 // Usage: node build.mjs CORE.wasm GENERATOR_FOLDER VERSIONS FONT.ttf OUT.html FOLDER
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
-import {mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {basename, dirname, resolve} from 'node:path';
-import {gzipSync} from 'node:zlib';
+import {tmpdir} from 'node:os';
+import {basename, dirname, join, resolve} from 'node:path';
 
 import {runFontgen} from '../../fonts_gen/web/fontgen.mjs';
 
@@ -54,6 +55,16 @@ function base85(bytes) {
   return digits;
 }
 
+/** By zopfli, in seconds: 5 % less than zlib's. */
+function gzip(bytes) {
+  const place = mkdtempSync(join(tmpdir(), 'inkcell-'));
+  const file = join(place, 'bytes');
+  writeFileSync(file, bytes);
+  const packed = execFileSync('zopfli', ['-c', '--i5', file], {maxBuffer: 1 << 26});
+  rmSync(place, {recursive: true});
+  return packed;
+}
+
 const fontgenFile = `${generator}/inkcell-fontgen`;
 const fontgen = readFileSync(`${fontgenFile}.wasm`);
 const made = await runFontgen(createRequire(import.meta.url)(`${fontgenFile}.js`),
@@ -88,7 +99,7 @@ const single = page({
     'worker-src': 'blob:', 'style-src': hash(style), 'connect-src': "'none'"}),
   STYLE: `<style>${style}</style>`,
   DATA: Object.entries(data).map(([name, bytes]) => {
-    const packed = gzipSync(bytes, {level: 9});
+    const packed = gzip(bytes);
     return `<script type="text/plain" id="data:${name}" data-bytes="${packed.length}">` +
       `${base85(packed)}</script>\n`;
   }).join(''),

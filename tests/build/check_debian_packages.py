@@ -31,6 +31,7 @@ TRACELESS = {
     "libclang-rt-dev": "clang links it for sanitizers and the fuzzer",
     "libnewlib-arm-none-eabi": "hosted C in tests/build/packages, tests/bench",
     "picolibc-riscv64-unknown-elf": "hosted C in tests/bench",
+    "zopfli": "host_tools/playground/build.mjs packs the page by it",
 }
 BASE = ("apt", "git")
 SCRIPT = re.compile(r"[\w./-]+\.(?:py|sh)\b")
