@@ -13,7 +13,7 @@ namespace inkcell::tools {
 inline constexpr double kSliverArea = 4;
 inline constexpr double kSliverWidth = 1.0 / 8;
 
-/// Of how many slivers each piece is the border: islands and holes, also those
+/// How many slivers each piece is a border of: islands and holes, also those
 /// that touch others at a point. 2 between an island and a hole. The area lies
 /// to the left of each piece.
 std::vector<uint8_t> find_slivers(const std::vector<TrueGlyph::Chord>& border);

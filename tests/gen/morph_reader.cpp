@@ -2,28 +2,11 @@
 
 #include <algorithm>
 
+#include "bits.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen::test {
 namespace {
-
-class MorphBits {
- public:
-  explicit MorphBits(const std::vector<uint8_t>& bytes) : bytes_(bytes) {}
-
-  int u(int count) {
-    int value = 0;
-    for (int i = 0; i < count; ++i, ++at_) {
-      const int byte = at_ / 8 < bytes_.size() ? bytes_[at_ / 8] : 0;
-      value = 2 * value + (byte >> (7 - at_ % 8) & 1);
-    }
-    return value;
-  }
-
- private:
-  const std::vector<uint8_t>& bytes_;
-  size_t at_ = 0;
-};
 
 struct Curve {
   Point p[3];
@@ -74,7 +57,7 @@ std::vector<NumberedCurve> curves_of(const MinimalOutline& outline) {
 // Where a glyph is on its contour.
 class Track {
  public:
-  Track(const MinimalOutline& outline, MorphBits& bits, int width)
+  Track(const MinimalOutline& outline, Bits& bits, int width)
       : curves_(curves_of(outline)), bits_(bits), width_(width) {}
 
   Point at;
@@ -154,7 +137,7 @@ class Track {
   }
 
   std::vector<NumberedCurve> curves_;
-  MorphBits& bits_;
+  Bits& bits_;
   int width_;
   size_t segment_ = 0;
   double from_ = 0;
@@ -206,7 +189,7 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
                                            const MinimalOutline& second,
                                            double progress,
                                            int chords) {
-  MorphBits bits(record);
+  Bits bits(record);
   const int width = bits.u(4);
   std::vector<std::vector<Point>> out;
   const auto mix = [progress](const Point& a, const Point& b) {

@@ -326,7 +326,7 @@ LoopGlyph wrong_glyph(
       }};
 }
 
-// Of a pixel that is worst, by 20/255, at a position between those that the
+// A pixel that is worst, by 20/255, at a position between those that the
 // loop draws, and better the farther the glyph's origin is from there.
 double error_between(inkcell::Point origin) {
   const int away =

@@ -382,7 +382,7 @@ TEST(lines_outside_a_box_are_left_out) {
   TextBox box = setting.box({4, 20, 20, 35});
   const Text text = "C\nC\nC\nC";
   box.draw(text, picture.sink());
-  // Of the second line, which begins in it; the third begins at 42.
+  // The second line alone, which begins in it; the third begins at 42.
   CHECK(picture.at(7, 24) != 0 && picture.at(7, 38) != 0);
   CHECK_EQ(picture.at(7, 50), 0);
   CHECK(box.box(text).y0 >= 20 && box.box(text).y0 <= 22);

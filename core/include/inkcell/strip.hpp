@@ -28,7 +28,7 @@ struct Strip {
   int32_t width = 0;   // [px]
   int32_t height = 0;  // [px]
   int32_t stride = 0;  // [bytes] from one row (or page of 8 rows) to the next
-  /// Of RGB565: low_first in memory that the machine shows itself, high_first
+  /// For RGB565: low_first in memory that the machine shows itself, high_first
   /// for panels behind SPI.
   ByteOrder order = ByteOrder::low_first;
 
@@ -85,7 +85,7 @@ struct Sink {
   /// multiple of 4. False, and nothing is drawn: the block comes as coverage.
   /// Null: never called.
   bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
-  /// Of sinks of few levels (few_levels.hpp): makes `room` the style that text
+  /// In sinks of few levels (few_levels.hpp): makes `room` the style that text
   /// is drawn with here, of a given one, and returns it. `is_laid_out`:
   /// advances must stay as they are. Null: text is drawn as its style says.
   const Style& (*adapt)(const Style& given,

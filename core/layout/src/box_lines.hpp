@@ -41,7 +41,7 @@ class BoxLines {
   // before next() was called.
   int32_t top() noexcept;
 
-  // Of a line that is prepared.
+  // For the line at hand: its directions, and its glyphs from the left.
   void prepare() const noexcept {
     static_cast<void>(detail::prepare(box_.options, text_, line_));
   }

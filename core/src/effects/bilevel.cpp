@@ -117,7 +117,7 @@ class BilevelRow {
   bool is_dot(const uint8_t* at) const noexcept {
     const uint8_t* near = at - column_.step - 1;
     for (int32_t i = 0; i != 9; ++i) {
-      // Of equal ones the first is the dot.
+      // Where some are equal, the first is the dot.
       if ((*near & kInsideBit) != 0 || is_drawn(*near) ||
           (*near & kNearnessMask) + (near < at ? 1u : 0u) >
               (*at & kNearnessMask)) {

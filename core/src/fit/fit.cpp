@@ -178,7 +178,7 @@ class GridFit {
                          GlyphWarp& warp) noexcept {
     Fit fit;
     set(font, style, kLevels, fit);
-    // Of fonts without hints, too, as advances are whole.
+    // Fonts without hints too, as advances are whole.
     fit.to_grid(origin.x_q10);
     fit_both(fit, glyph, metrics, origin, warp);
   }

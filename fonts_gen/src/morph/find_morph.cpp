@@ -17,7 +17,7 @@ struct Body {
   std::vector<Loop> holes;
 };
 
-// Of a hole: which hole of the other body it becomes, or one of these.
+// What a hole becomes: a hole of the other body by its number, or one of these.
 constexpr int kJoined = -1;  // a part of the outer contour, by a cut
 constexpr int kSlit = -2;    // nothing, by way of a slit
 using Fates = std::vector<int>;

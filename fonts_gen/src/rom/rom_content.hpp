@@ -57,9 +57,9 @@ struct RomContent {
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
-  FontHints hints;  // of outlines only
+  FontHints hints;               // of outlines only
   std::vector<RomMorph> morphs;  // ascending by first and second
-  /// Of a paged font; 0: it lies in mapped memory.
+  /// A block of a paged font; 0: it lies in mapped memory. [bytes]
   size_t block_bytes = 0;
 };
 

@@ -39,7 +39,7 @@ enum engine_answer engine_prepare(uint32_t code_point) {
   if (glyph.box_w > kEngineSide || glyph.box_h > kEngineSide) {
     return engine_too_large;
   }
-  // Of a pixel at least, where there is no ink.
+  // A pixel at least, where there is no ink.
   const uint32_t width = glyph.box_w == 0 ? 1 : glyph.box_w;
   const uint32_t rows = glyph.box_h == 0 ? 1 : glyph.box_h;
   return lv_draw_buf_init(&buffer, width, rows, LV_COLOR_FORMAT_A8,
