@@ -86,9 +86,7 @@ class Fit {
 
   /// For Bilevel::threshold_px: diagonals and bowls get the weight that
   /// stems have as whole pixels.
-  Q6_10 bilevel_weight() const noexcept {
-    return Q6_10::from_raw(bilevel_weight_q10_);
-  }
+  Q6_10 bilevel_weight() const noexcept;
 
   /// Moves the origin of a glyph and fills in `warp`, as kGridFit does.
   void fit(const Font& font,
@@ -135,15 +133,13 @@ class Fit {
   void add_knot(AxisMap& map, int32_t at_u, int32_t to_q6) const noexcept;
   void to_grid(int64_t& at_q10) const noexcept;
   void set_zones() noexcept;
-  void set_weight() noexcept;
 
   // Bytes before words: the smallest cores reach fewer of them at once.
   GridHints hints_;
   uint8_t levels_ = 0;
   bool is_across_ = false;
   bool drops_serifs_ = false;
-  uint16_t strength_q8_ = 0;        // 0: glyphs stay as they are
-  int16_t bilevel_weight_q10_ = 0;  // [px]
+  uint16_t strength_q8_ = 0;  // 0: glyphs stay as they are
   int32_t size_q6_ = 0;
   int32_t y_scale_q16_ = 0;  // Q6 px per u
   int32_t u_per_unit_q14_ = 0;

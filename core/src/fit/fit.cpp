@@ -72,16 +72,16 @@ inline void Fit::set_zones() noexcept {
   }
 }
 
-inline void Fit::set_weight() noexcept {
-  if (hints_.stem_width_u() == 0) {
-    return;
+Q6_10 Fit::bilevel_weight() const noexcept {
+  if (strength_q8_ == 0 || hints_.stem_width_u() == 0) {
+    return {};
   }
   // Half of what stems gain in width. [px, Q10]
   const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
   const int32_t weight = hints_.has_contrast()
                              ? min(max(more, 0), 51)
                              : min(max(more - kFuller, -256), 123);
-  bilevel_weight_q10_ = static_cast<int16_t>(-weight);
+  return Q6_10::from_raw(static_cast<int16_t>(-weight));
 }
 
 Status Fit::make(const Font& font,
@@ -93,7 +93,15 @@ Status Fit::make(const Font& font,
     return Status::bad_argument;
   }
   INKCELL_TRY(GridHints::open(font, out.hints_));
-  out.set(font, style.size(), options);
+  FitOptions faded = options;
+  const int32_t size_q6 = style.size().raw;
+  if (options.levels == 0 && size_q6 > kFades.raw && size_q6 < kEnds.raw) {
+    faded.strength_q8 =
+        static_cast<uint16_t>(uint32_t{options.strength_q8} *
+                              static_cast<uint32_t>(kEnds.raw - size_q6) /
+                              static_cast<uint32_t>(kEnds.raw - kFades.raw));
+  }
+  out.set(font, style.size(), faded);
   return Status::ok;
 }
 
@@ -102,29 +110,19 @@ void Fit::set(const Font& font,
               Q26_6 size,
               const FitOptions& options) noexcept {
   is_across_ = false;
-  strength_q8_ = 0;
-  bilevel_weight_q10_ = 0;
   size_q6_ = size.raw;
-  if (size.raw >= kEnds.raw) {
+  strength_q8_ = size.raw < kEnds.raw ? options.strength_q8 : 0;
+  if (strength_q8_ == 0) {
     return;
   }
-  uint32_t strength = options.strength_q8;
-  if (options.levels == 0 && size.raw > kFades.raw) {
-    strength = strength * static_cast<uint32_t>(kEnds.raw - size.raw) /
-               static_cast<uint32_t>(kEnds.raw - kFades.raw);
-  }
-  if (strength != 0) {
-    levels_ = options.levels;
-    is_across_ = options.across && !hints_.empty();
-    drops_serifs_ = options.levels == 2 && size.raw < kSerifsFrom;
-    strength_q8_ = static_cast<uint16_t>(strength);
-    u_per_unit_q14_ =
-        static_cast<int32_t>((uint32_t{1024} << 14) / font.units_per_em());
-    stem_q6_ = px_q6(hints_.stem_width_u());
-    bar_q6_ = px_q6(hints_.bar_width_u());
-    set_zones();
-    set_weight();
-  }
+  levels_ = options.levels;
+  is_across_ = options.across && !hints_.empty();
+  drops_serifs_ = options.levels == 2 && size.raw < kSerifsFrom;
+  u_per_unit_q14_ =
+      static_cast<int32_t>((uint32_t{1024} << 14) / font.units_per_em());
+  stem_q6_ = px_q6(hints_.stem_width_u());
+  bar_q6_ = px_q6(hints_.bar_width_u());
+  set_zones();
 }
 
 // A place to the nearest pixel.

@@ -125,8 +125,9 @@ inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
   }
   const Edge* const near = below != nullptr ? below : above;
   if (below != nullptr && above != nullptr) {
-    return below->to + (above->to - below->to) * (at_u2 - 2 * below->at_u) /
-                           (2 * (above->at_u - below->at_u));
+    return below->to +
+           quotient((above->to - below->to) * (at_u2 - 2 * below->at_u),
+                    2 * (above->at_u - below->at_u));
   }
   const int32_t height = (at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17;
   return near == nullptr ? height
