@@ -62,9 +62,9 @@ class GridHints {
   int32_t stem_width_u() const noexcept { return stem_width_u_; }
   int32_t bar_width_u() const noexcept { return bar_width_u_; }
   /// Whether bars are much thinner than stems.
-  bool has_contrast() const noexcept { return has_contrast_; }
+  bool has_contrast() const noexcept;
   /// Whether glyphs have few bars, as old-style faces do: those gain less.
-  bool has_few_bars() const noexcept { return has_few_bars_; }
+  bool has_few_bars() const noexcept;
 
   /// The record of a glyph; empty if it has none or there is no such glyph.
   /// False if it leaves the section.
@@ -79,8 +79,7 @@ class GridHints {
   uint8_t x_zone_ = 0;
   uint8_t stem_width_u_ = 0;
   uint8_t bar_width_u_ = 0;
-  bool has_contrast_ = false;
-  bool has_few_bars_ = false;
+  uint8_t flags_ = 0;
 };
 
 /// The hints of one glyph, read one by one: all of y, then those of x.

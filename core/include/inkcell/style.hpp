@@ -139,9 +139,7 @@ class Style {
   bool is_fitted() const noexcept { return fitter() != nullptr; }
   /// Whether the canvas decides.
   bool is_fit_open() const noexcept { return is_fit_open_; }
-  const Fitter* fitter() const noexcept {
-    return is_upright() ? fitter_ : nullptr;
-  }
+  const Fitter* fitter() const noexcept { return fitter_; }
   const void* fitter_options() const noexcept { return fitter_options_; }
 
   /// Whether the advances of glyphs are whole pixels, by fitting.
@@ -240,7 +238,7 @@ class Style {
   GlyphStep up_ = {0, 0, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_;
-  const Fitter* fitter_ = nullptr;
+  const Fitter* fitter_ = nullptr;  // only of upright text
   union {  // only upright text is fitted
     const detail::OutlineFitter* outline_fitter_ = nullptr;
     const detail::Slant* slant_;

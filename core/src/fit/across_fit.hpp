@@ -24,11 +24,11 @@ class AcrossFit {
  private:
   // A stem, or an end of the ink as a stem without a width.
   struct Stem {
-    int32_t gap;  // before the cell
+    int32_t gap;    // before the cell
+    int32_t cell;   // whole pixels
+    int32_t width;  // centred in the cell
     int16_t left_u;
     int16_t right_u;
-    int16_t cell;   // whole pixels
-    int16_t width;  // centred in the cell
   };
 
   void add(int32_t left_u,
@@ -41,7 +41,7 @@ class AcrossFit {
   int32_t whole_gaps() noexcept;
   int32_t whole_ink(bool is_symmetric) noexcept;
 
-  bool has_stems() const noexcept { return end_ > stems_ + 2; }
+  bool has_stems() const noexcept { return end_ != stems_ + 2; }
 
   const Fit& fit_;
   // Includes both ends of the ink; none: nothing is fitted.
@@ -56,8 +56,8 @@ inline void AcrossFit::add(int32_t left_u,
   Stem* const stem = end_;
   stem->left_u = static_cast<int16_t>(left_u);
   stem->right_u = static_cast<int16_t>(right_u);
-  stem->cell = static_cast<int16_t>(cell);
-  stem->width = static_cast<int16_t>(width);
+  stem->cell = cell;
+  stem->width = width;
   end_ = stem + 1;
 }
 

@@ -46,26 +46,26 @@ class HeightFit {
       edges[1].to = static_cast<int16_t>(to + width);
     }
   };
-  // The limits given by the nearest bars above and below. `at_u` is unset where
-  // there is no bar.
-  struct Room {
-    Edge floor;
-    Edge ceiling;
-
-    int32_t height() const noexcept { return ceiling.to - floor.to; }
-  };
   // The limit without a bar: farther away than any, and more than twice as far
   // as two bars can be apart.
-  static constexpr int16_t kFar = INT16_MAX;
+  static constexpr int32_t kFar = INT16_MAX;
+  // As an edge, in words: the smallest cores load those in one instruction.
+  struct Limit {
+    int32_t at_u;  // unset where there is no bar
+    int32_t to;
+  };
 
   bool is_bilevel() const noexcept { return fit_.levels_ == 2; }
   int32_t width_of(const YHint& hint) const noexcept;
   int32_t height_between(int32_t at_u2) const noexcept;
-  Room room_of(const Item& item) const noexcept;
+  void find_room(const Item& item) noexcept;
   void fit_bar(Item& item) noexcept;
   void fit_end(Item& item) noexcept;
 
   const Fit& fit_;
+  // The limits given by the nearest bars above and below: find_room().
+  Limit floor_;
+  Limit ceiling_;
   Item* end_ = items_;
   Item items_[GlyphHints::kMostY];
 };
@@ -123,47 +123,48 @@ inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
       }
     }
   }
-  const Edge* const near = below != nullptr ? below : above;
-  if (below != nullptr && above != nullptr) {
-    return below->to +
-           quotient((above->to - below->to) * (at_u2 - 2 * below->at_u),
-                    2 * (above->at_u - below->at_u));
+  Edge near = {0, 0};  // without a zone, 0 is 0
+  if (below != nullptr) {
+    near = *below;
+    if (above != nullptr) {
+      return near.to + quotient((above->to - near.to) * (at_u2 - 2 * near.at_u),
+                                2 * (above->at_u - near.at_u));
+    }
+  } else if (above != nullptr) {
+    near = *above;
   }
-  const int32_t height = (at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17;
-  return near == nullptr ? height
-                         : height + near->to - fit_.height_q6(near->at_u);
+  return ((at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17) + near.to -
+         fit_.height_q6(near.at_u);
 }
 
 // Bars that are not fitted yet set no limits.
-inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
-  Room room;
-  room.floor.to = -kFar;
-  room.ceiling.to = kFar;
+inline void HeightFit::find_room(const Item& item) noexcept {
+  floor_.to = -kFar;
+  ceiling_.to = kFar;
   for (const Item* other = items_; other != end_; ++other) {
     if (!other->is_bar() || other->state == kFree) {
       continue;
     }
-    if (other->high().at_u <= item.low().at_u) {
-      if (other->high().to > room.floor.to) {
-        room.floor = other->high();
+    const Edge& low = other->low();
+    const Edge& high = other->high();
+    if (high.at_u <= item.low().at_u) {
+      if (high.to > floor_.to) {
+        floor_ = {high.at_u, high.to};
       }
-    } else if (other->low().at_u >= item.high().at_u) {
-      if (other->low().to < room.ceiling.to) {
-        room.ceiling = other->low();
-      }
+    } else if (low.at_u >= item.high().at_u && low.to < ceiling_.to) {
+      ceiling_ = {low.at_u, low.to};
     }
   }
-  return room;
 }
 
 // Puts a bar without a zone into the nearest rows that leave a free row on both
 // sides, as far as there is room.
 inline void HeightFit::fit_bar(Item& item) noexcept {
-  const Room room = room_of(item);
+  find_room(item);
   const int32_t gap = is_bilevel() ? kPx : kLeastStroke;
-  const int32_t floor = room.floor.to;
-  const int32_t ceiling = room.ceiling.to;
-  const int32_t left = room.height() - 2 * gap;
+  const int32_t floor = floor_.to;
+  const int32_t ceiling = ceiling_.to;
+  const int32_t left = ceiling - floor - 2 * gap;
   int32_t width = item.high().to - item.low().to;
   int32_t middle = height_between(item.low().at_u + item.high().at_u);
   if (left < width) {
@@ -191,18 +192,18 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
 // Keeps a row open between a free end and the bar that it points to, but moves
 // it no farther than its own bar.
 inline void HeightFit::fit_end(Item& item) noexcept {
-  const Room room = room_of(item);
-  const int32_t open = room.height();
+  find_room(item);
+  const int32_t open = ceiling_.to - floor_.to;
   if (open >= kFar / 2) {
     return;
   }
-  const int32_t whole_u = room.ceiling.at_u - room.floor.at_u;
+  const int32_t whole_u = ceiling_.at_u - floor_.at_u;
   // Whether the map leaves less than a row.
-  const int32_t open_u = item.is_top ? room.ceiling.at_u - item.low().at_u
-                                     : item.low().at_u - room.floor.at_u;
+  const int32_t open_u = item.is_top ? ceiling_.at_u - item.low().at_u
+                                     : item.low().at_u - floor_.at_u;
   if (open * open_u < kPx * whole_u) {
     const int32_t kept = min(kPx, max(open, 0));
-    item.set(item.is_top ? room.ceiling.to - kept : room.floor.to + kept, 0);
+    item.set(item.is_top ? ceiling_.to - kept : floor_.to + kept, 0);
     item.state = kFitted;
   }
 }

@@ -34,35 +34,43 @@ struct Bits {
 }  // namespace
 
 Status GridHints::open(const Font& font, GridHints& out) noexcept {
-  GridHints read;
-  read.section_ = font.section(format::section::kGrid);
-  if (read.section_.size == 0) {
-    out = read;
+  const Span<const uint8_t> section = font.section(format::section::kGrid);
+  if (section.size == 0) {
+    out = {};
     return Status::ok;
   }
-  if (read.section_.size < grid::kBytes) {
+  if (section.size < grid::kBytes) {
     return Status::corrupt;
   }
-  const uint8_t* const at = read.section_.data;
-  read.glyph_count_ = font.glyph_count();
-  read.zone_count_ = at[grid::kZones];
-  read.has_contrast_ = (at[grid::kFlags] & grid::kContrast) != 0;
-  read.has_few_bars_ = (at[grid::kFlags] & grid::kFewBars) != 0;
-  read.stem_width_u_ = at[grid::kStemWidth];
-  read.bar_width_u_ = at[grid::kBarWidth];
-  read.x_zone_ = at[grid::kXZone];
-  read.offset_bits_ = at[grid::kOffsetBits];
-  const uint32_t bits =
-      uint32_t{read.offset_bits_} * (uint32_t{read.glyph_count_} + 1);
-  read.records_ =
-      grid::kBytes + grid::kZoneBytes * read.zone_count_ + (bits + 7) / 8;
-  if (read.zone_count_ > grid::kMaxZones ||
-      read.offset_bits_ > grid::kMaxOffsetBits ||
-      read.records_ > read.section_.size) {
+  const uint8_t* const at = section.data;
+  const uint32_t zones = at[grid::kZones];
+  const uint32_t offset_bits = at[grid::kOffsetBits];
+  const uint32_t bits = offset_bits * (font.glyph_count() + 1u);
+  const uint32_t records =
+      grid::kBytes + grid::kZoneBytes * zones + (bits + 7) / 8;
+  if (zones > grid::kMaxZones || offset_bits > grid::kMaxOffsetBits ||
+      records > section.size) {
     return Status::corrupt;
   }
-  out = read;
+  // Member by member: smaller than to copy a whole one.
+  out.section_ = section;
+  out.records_ = records;
+  out.glyph_count_ = font.glyph_count();
+  out.offset_bits_ = static_cast<uint8_t>(offset_bits);
+  out.zone_count_ = static_cast<uint8_t>(zones);
+  out.flags_ = at[grid::kFlags];
+  out.stem_width_u_ = at[grid::kStemWidth];
+  out.bar_width_u_ = at[grid::kBarWidth];
+  out.x_zone_ = at[grid::kXZone];
   return Status::ok;
+}
+
+bool GridHints::has_contrast() const noexcept {
+  return (flags_ & grid::kContrast) != 0;
+}
+
+bool GridHints::has_few_bars() const noexcept {
+  return (flags_ & grid::kFewBars) != 0;
 }
 
 GridZone GridHints::zone(uint32_t i) const noexcept {
