@@ -9,7 +9,9 @@
 #include "hints/features.hpp"
 #include "hints/glyph_hints.hpp"
 #include "hints/grid_section.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/painter.hpp"
 #include "judge/hint_trial.hpp"
 #include "outline_reader.hpp"
 #include "outlines/unite.hpp"
@@ -409,6 +411,53 @@ TEST(Hints, SmallPartsAreStrokes) {
       U':');
   EXPECT_EQ(2u, colon.bars.size());
   EXPECT_EQ(1u, colon.stems.size());
+}
+
+// Parts one above the other, of what covers half of a pixel.
+int bands_of(const Font& font, uint16_t glyph, const Style& style) {
+  Canvas canvas({-8, -160, 160, 40});
+  Painter(canvas.sink()).glyph(font, style, {}, glyph);
+  int bands = 0;
+  bool was_ink = false;
+  for (int y = canvas.area().y0; y < canvas.area().y1; ++y) {
+    bool is_ink = false;
+    for (int x = canvas.area().x0; x < canvas.area().x1; ++x) {
+      is_ink = is_ink || canvas.at(x, y) >= 128;
+    }
+    bands += is_ink && !was_ink ? 1 : 0;
+    was_ink = is_ink;
+  }
+  return bands;
+}
+
+TEST(Hints, PartsStayApartInOneBit) {
+  const std::u32string letters = U"ij:;=\u00C9\u00CA\u00E0\u00E9\u00EE\u00F1";
+  for (const char* file :
+       {"/usr/share/fonts/truetype/lato/Lato-Regular.ttf",
+        "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"}) {
+    GenerateRequest request;
+    request.font = file;
+    request.target.tolerance = 64;
+    request.target.max_px = 20;
+    request.chars = {"0x20-0x7E"};
+    for (const char32_t letter : letters) {
+      request.symbols += to_utf8(letter);
+    }
+    const RomFont made = generate(request);
+    Font font;
+    ASSERT_EQ(Status::ok,
+              Font::open({made.bytes.data(), made.bytes.size()}, font));
+    for (const char32_t letter : letters) {
+      const uint16_t glyph = font.glyph_or_notdef(letter);
+      const int bands =
+          bands_of(font, glyph, Style(Q26_6::from_int(128), kFilterArea));
+      for (int px = 9; px <= 20; ++px) {
+        const Style style = two_level_style(Q26_6::from_int(px));
+        EXPECT_EQ(bands, bands_of(font, glyph, style))
+            << file << ", " << to_utf8(letter) << ", " << px << " px";
+      }
+    }
+  }
 }
 
 TEST(Hints, FontsOfPixelsHaveNone) {

@@ -152,6 +152,30 @@ TEST(bars_of_bilevel_text_fill_rows) {
   CHECK_EQ(warp.x.count, 0);
 }
 
+// 0.8 px above the x-height, a dot whose zone is rounded down; below the
+// baseline, one whose zone is rounded up.
+TEST(a_row_stays_free_beside_dots) {
+  GridRecord record;
+  record.usual_zones();
+  record.zone(-146, 0, false);
+  record.glyph_without_hints();
+  record.glyph(true, 2, 0);
+  record.edge(1, false);
+  record.stroke_in_zone(0, true, 2, 130);
+  record.glyph(true, 2, 0);
+  record.stroke_in_zone(0, false, 3, 80);
+  record.edge(0, false);
+  for (int i = 0; i < 3; ++i) {
+    record.glyph_without_hints();
+  }
+  const Font font = open(record.write());
+  const FitOptions options = {false, 2, FitOptions::kAll};
+  const Fit fit = fit_of(font, 11 * 64, options);
+  check_knots(warp_of(font, fit, 1).y,
+              {{1408, 1536}, {1623, 1792}, {1980, 2304}});
+  check_knots(warp_of(font, fit, 2).y, {{-401, -512}, {-181, -256}, {0, 0}});
+}
+
 // 0.88 px of stem in the middle of a pixel, and four px from one to the next.
 TEST(stems_stand_in_whole_pixels) {
   const Font font = hinted_font();
@@ -172,6 +196,7 @@ TEST(ink_without_stems_is_whole) {
   check_knots(warp_of(font, fit, wedge).x, {{100, 256}, {1175, 1536}});
   CHECK_EQ(fit.advance_px(font, wedge), 6);
   CHECK_EQ(fit.advance_px(font, space), 3);
+  CHECK_EQ(warp_of(font, fit, space).x.count, 0);
 }
 
 // Below 12 px wings of serifs go into the zone, and the ink begins at the stem.

@@ -31,7 +31,7 @@ struct YHint {
   Kind kind;
   uint8_t zone;      // of one edge; kNoZone
   bool is_round;     // that edge passes the zone by its overshoot
-  bool is_top;       // that edge is the upper one; ends: the stroke is below
+  bool is_top;       // that edge is the upper one; edges, ends: ink is below
   bool is_standard;  // as wide as most bars
 };
 

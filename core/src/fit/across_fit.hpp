@@ -41,7 +41,7 @@ class AcrossFit {
   int32_t whole_gaps() noexcept;
   int32_t whole_ink(bool is_symmetric) noexcept;
 
-  bool has_stems() const noexcept { return end_ != stems_ + 2; }
+  bool has_stems() const noexcept { return end_ > stems_ + 2; }
 
   const Fit& fit_;
   // Includes both ends of the ink; none: nothing is fitted.

@@ -39,6 +39,9 @@ class HeightFit {
     bool is_top;
 
     bool is_bar() const noexcept { return kind <= YHint::serif; }
+    // Whether there is none of its ink above it; below it.
+    bool has_ceiling() const noexcept { return is_bar() || is_top; }
+    bool has_floor() const noexcept { return is_bar() || !is_top; }
     const Edge& low() const noexcept { return edges[0]; }
     const Edge& high() const noexcept { return edges[1]; }
     void set(int32_t to, int32_t width) noexcept {
@@ -58,6 +61,7 @@ class HeightFit {
   bool is_bilevel() const noexcept { return fit_.levels_ == 2; }
   int32_t width_of(const YHint& hint) const noexcept;
   int32_t height_between(int32_t at_u2) const noexcept;
+  void part_zones() noexcept;
   void find_room(const Item& item) noexcept;
   void fit_bar(Item& item) noexcept;
   void fit_end(Item& item) noexcept;
@@ -105,6 +109,30 @@ inline void HeightFit::read(GlyphHints& hints) noexcept {
     // So far only the width of a free bar is known.
     item.set(to, width);
   }
+  part_zones();
+}
+
+// Zones are apart, but their rows need not be: keeps a row free between two
+// where the outline has half a pixel, as between a stem and its dot. What is
+// below the baseline makes room downwards.
+inline void HeightFit::part_zones() noexcept {
+  for (Item* item = items_ + 1; item < end_; ++item) {
+    Item& below = item[-1];
+    if (item->state != kInZone || below.state != kInZone ||
+        !item->has_floor() || !below.has_ceiling()) {
+      continue;
+    }
+    const int32_t open = fit_.px_q6(item->low().at_u - below.high().at_u);
+    const int32_t least = !is_bilevel()    ? min(open, kLeastStroke)
+                          : open < kPx / 2 ? 0
+                                           : kPx;
+    const int32_t more = least - (item->low().to - below.high().to);
+    if (more > 0) {
+      Item& moved = below.high().at_u <= 0 ? below : *item;
+      const int32_t width = moved.high().to - moved.low().to;
+      moved.set(moved.low().to + (&moved == item ? more : -more), width);
+    }
+  }
 }
 
 // The height as given by the zones above and below. [2 u]
@@ -142,16 +170,17 @@ inline void HeightFit::find_room(const Item& item) noexcept {
   floor_.to = -kFar;
   ceiling_.to = kFar;
   for (const Item* other = items_; other != end_; ++other) {
-    if (!other->is_bar() || other->state == kFree) {
+    if (other->kind == YHint::end || other->state == kFree) {
       continue;
     }
     const Edge& low = other->low();
     const Edge& high = other->high();
     if (high.at_u <= item.low().at_u) {
-      if (high.to > floor_.to) {
+      if (other->has_ceiling() && high.to > floor_.to) {
         floor_ = {high.at_u, high.to};
       }
-    } else if (low.at_u >= item.high().at_u && low.to < ceiling_.to) {
+    } else if (low.at_u >= item.high().at_u && other->has_floor() &&
+               low.to < ceiling_.to) {
       ceiling_ = {low.at_u, low.to};
     }
   }

@@ -153,6 +153,7 @@ YHint GlyphHints::next_y() noexcept {
     if (hint.zone < hints_.zone_count()) {
       const GridZone zone = hints_.zone(hint.zone);
       at_u = zone.flat_u + (hint.is_round ? zone.overshoot_u : 0);
+      hint.is_top = is_stroke ? hint.is_top : zone.is_top;
     }
   } else {
     at_u = bits.position_u();

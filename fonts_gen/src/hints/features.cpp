@@ -18,6 +18,9 @@ constexpr double kBeside = 0.1;  // off the end of a serif [u]
 constexpr int kSymmetryRows = 23;
 constexpr double kAsymmetry = 0.1;
 
+// Taller or wider parts are no dots. A width of the record is 254 u at most.
+constexpr double kThickestPart = 250;
+
 bool is_in_serif(double y, const std::vector<Stroke>& bars) {
   return std::any_of(bars.begin(), bars.end(), [y](const Stroke& bar) {
     // Cupped feet have no upper edge.
@@ -97,12 +100,12 @@ Box ink_box(const std::vector<Point>& line) {
 }
 
 // Dots, accents and the like have edges that are too short for strokes: if a
-// part is as thin as a stroke and has none, it is one.
+// part is as thin as a heavy dot and has none, it is one.
 void add_part(const Interval& place,
               double length,
               double most_length,
               std::vector<Stroke>& strokes) {
-  const bool is_thin = place.length() > 0 && place.length() <= kThickestStroke;
+  const bool is_thin = place.length() > 0 && place.length() <= kThickestPart;
   const bool is_free =
       std::none_of(strokes.begin(), strokes.end(), [&](const Stroke& other) {
         return other.low < place.high && place.low < other.high;
@@ -129,7 +132,7 @@ void add_small_parts(const Border& border, GlyphFeatures& features) {
     const Interval y = {box.y0, box.y1};
     add_part(y, x.length(), HUGE_VAL, features.bars);
     // Taller parts may lean.
-    add_part(x, y.length(), kThickestStroke, features.stems);
+    add_part(x, y.length(), kThickestPart, features.stems);
   }
 }
 

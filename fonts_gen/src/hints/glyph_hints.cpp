@@ -92,6 +92,13 @@ bool may_close(const FreeEnd& end, const std::vector<Stroke>& bars) {
   return opening / counter * (counter / kRow - 1) < 1;
 }
 
+// Parts that became bars keep the edges that were found before.
+bool ends_bar(double y, const std::vector<Stroke>& bars) {
+  return std::any_of(bars.begin(), bars.end(), [y](const Stroke& bar) {
+    return rounded(bar.low) == rounded(y) || rounded(bar.high) == rounded(y);
+  });
+}
+
 // Importance: bars in zones, edges in zones, bars by length, free ends.
 constexpr double kOfZone = 1e6;
 constexpr double kOfLoneEdge = 1e5;
@@ -111,7 +118,7 @@ std::vector<Candidate> height_candidates(const GlyphFeatures& features,
   for (const StrokeEdge& edge : features.lone_edges) {
     const std::optional<ZoneEdge> zone =
         zone_of(face, edge.position, !edge.ink_beyond);
-    if (zone) {
+    if (zone && !ends_bar(edge.position, features.bars)) {
       HeightHint hint;
       hint.kind = Height::lone_edge;
       hint.edge.zone = zone;
