@@ -32,83 +32,65 @@ void plan_few(const Effect&, const Style&, BandPlan& plan) noexcept {
   plan.margin_y = 2;
 }
 
-class LevelPixels {
- public:
-  LevelPixels(uint8_t levels, int32_t stride) noexcept
-      : stride_(stride), drawn_(levels > 2 ? 170 : 255) {}
+// What three pixels of a line cover.
+int32_t sum(const uint8_t* at, int32_t step) noexcept {
+  return at[-step] + *at + at[step];
+}
 
-  uint8_t coverage(const uint8_t* at) const noexcept {
-    const uint8_t own = *at;
-    const bool is_shown = own == 0 || own >= kDrawn || !stands_for_ink(at);
-    return is_shown ? own : drawn_;
+// Whether a pixel shows most of the ink of its line, with ink in both lines
+// beside it, and that is a stroke that passes the line, not an end: an end
+// covers less than the strokes in the lines beside it. `step` leads along the
+// line, `across` to the next one.
+bool is_stroke(const uint8_t* at, int32_t step, int32_t across) noexcept {
+  const int32_t own = *at;
+  const int32_t here = sum(at, step);
+  if (own <= at[-step] || own < at[step] || here < kLeastStroke) {
+    return false;
   }
-
- private:
-  bool stands_for_ink(const uint8_t* at) const noexcept {
-    return (goes_on(at, 1, stride_) && is_whole(at, 1, stride_)) ||
-           (goes_on(at, stride_, 1) && is_whole(at, stride_, 1)) || is_dot(at);
-  }
-
-  // What three pixels of a line cover.
-  static int32_t sum(const uint8_t* at, int32_t step) noexcept {
-    return at[-step] + *at + at[step];
-  }
-
-  // Whether a pixel that is not drawn shows most of the ink of its line, with
-  // ink in both lines beside it. `step` leads along the line, `across` to the
-  // next one.
-  bool goes_on(const uint8_t* at, int32_t step, int32_t across) const noexcept {
-    const int32_t own = *at;
-    if (own >= kDrawn || own <= at[-step] || own < at[step]) {
+  int32_t least = kSurely;
+  for (int32_t i = -2; i <= 2; ++i) {
+    const int32_t beside = sum(at + i * across, step);
+    if ((i & 1) != 0 && 4 * beside < here) {
       return false;
     }
-    const int32_t here = sum(at, step);
-    return here >= kLeastStroke && 4 * sum(at - across, step) >= here &&
-           4 * sum(at + across, step) >= here;
+    least = i != 0 && 2 * beside >= here ? min(least, beside) : least;
   }
+  return 4 * here >= 3 * least;
+}
 
-  // Whether it is a stroke that passes the line, and not an end: that covers
-  // less than the strokes in the lines beside it.
-  static bool is_whole(const uint8_t* at,
-                       int32_t step,
-                       int32_t across) noexcept {
-    const int32_t here = sum(at, step);
-    int32_t least = kSurely;
-    for (int32_t i = -2; i <= 2; ++i) {
-      const int32_t beside = sum(at + i * across, step);
-      least = i != 0 && 2 * beside >= here ? min(least, beside) : least;
-    }
-    return 4 * here >= 3 * least;
-  }
-
-  bool is_dot(const uint8_t* at) const noexcept {
-    const int32_t own = *at;
-    int32_t all = 0;
-    int32_t earlier = 1;  // of equal pixels the first one is the dot
-    const uint8_t* row = at - stride_ - 1;
-    for (int32_t rows = 3; rows != 0; --rows) {
-      for (int32_t i = 0; i != 3; ++i) {
-        earlier = row + i == at ? 0 : earlier;
-        if (row[i] + earlier > own) {
-          return false;
-        }
-        all += row[i];
+bool is_dot(const uint8_t* at, int32_t stride) noexcept {
+  const int32_t own = *at;
+  int32_t all = 0;
+  int32_t earlier = 1;  // of equal pixels the first one is the dot
+  const uint8_t* row = at - stride - 1;
+  for (int32_t rows = 3; rows != 0; --rows) {
+    for (int32_t i = 0; i != 3; ++i) {
+      earlier = row + i == at ? 0 : earlier;
+      if (row[i] + earlier > own) {
+        return false;
       }
-      row += stride_;
+      all += row[i];
     }
-    return all >= kLeastDot;
+    row += stride;
   }
+  return all >= kLeastDot;
+}
 
-  int32_t stride_;
-  uint8_t drawn_;  // coverage of a pixel that stands for ink
-};
+// Whether a pixel that is not drawn stands for ink.
+__attribute__((noinline)) bool stands_for_ink(const uint8_t* at,
+                                              int32_t stride) noexcept {
+  return is_stroke(at, 1, stride) || is_stroke(at, stride, 1) ||
+         is_dot(at, stride);
+}
 
 void mix_few(const Effect& effect, GlyphBand& band) noexcept {
   band.cover();
-  const LevelPixels pixels(static_cast<const FewLevels&>(effect).levels,
-                           band.stride());
-  mix_rows(band, [&pixels](const uint8_t* at) noexcept {
-    return pixels.coverage(at);
+  const int32_t stride = band.stride();
+  const uint8_t drawn =
+      static_cast<const FewLevels&>(effect).levels > 2 ? 170 : 255;
+  mix_rows(band, [stride, drawn](const uint8_t* at) noexcept {
+    const uint8_t own = *at;
+    return own != 0 && own < kDrawn && stands_for_ink(at, stride) ? drawn : own;
   });
 }
 
