@@ -18,8 +18,11 @@ namespace detail {
 //   ...
 //  rows  .   .       .             .
 struct Band {
-  uint8_t* bytes;  // of row 0
-  int32_t stride;  // [bytes], a multiple of 4
+  // First: the smallest cores reach few bytes by their offset.
+  bool is_whole;     // nothing of the glyph lies above or below
+  bool is_mirrored;  // filled areas lie to the right of contours, not the left
+  int32_t stride;    // [bytes], a multiple of 4
+  uint8_t* bytes;    // of row 0
   int32_t rows;
   int32_t last_column;
   // Where column 0 and row 0 lie among the glyph's. [px, Q8]
@@ -32,8 +35,6 @@ struct Band {
   int32_t inside_q8;
   int32_t reach_q8;
   int32_t fall_q14;
-  bool is_whole;     // nothing of the glyph lies above or below
-  bool is_mirrored;  // filled areas lie to the right of contours, not the left
 
   // The words that hold pixels of a row. [bytes]
   int32_t row_bytes() const noexcept { return (last_column | 3) + 1; }
@@ -78,9 +79,9 @@ inline constexpr uint32_t kHalvings = 4;
 struct OutlineCursor {
   static constexpr uint32_t kEdge = 2 * kHalvings;
 
-  PixelPoint points[kEdge + 3];
   bool is_bent;
   uint8_t corner_at;  // 1: the edge begins at a corner
+  PixelPoint points[kEdge + 3];
 
   // The edge at hand: where it begins, its control point with `is_bent`, and
   // room for its end. Set by a contour's start. Halves of curves lie before it.

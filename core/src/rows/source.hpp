@@ -27,21 +27,22 @@ struct GlyphRef {
 // A glyph that is drawn. Lies at the beginning of RAM that is lent as
 // bytes, or on the stack; a source's own part follows in the same RAM.
 struct __attribute__((may_alias)) GlyphJob : GlyphBand {
-  const Source* source;
-  const Style* style;
-  BandPlan plan;
-  Rect box;  // the pixels that may show something: set by Source::prepare()
+  // Where the band's first pixel has its first sample. First, as in Band.
+  uint8_t column;
+  uint8_t row;
 
   // RAM behind the job. Source::prepare() takes its part from the beginning;
   // the rest is for bands.
-  uint8_t* ram;
   int32_t ram_bytes;
 
-  // The band at hand: its pixels, and where the first one has its first sample.
-  // Band::x_q8 and y_q8 count samples from the pixel at first_column(box) and
-  // box.y0.
-  uint8_t column;
-  uint8_t row;
+  BandPlan plan;
+  uint8_t* ram;
+  const Source* source;
+  const Style* style;
+  Rect box;  // the pixels that may show something: set by Source::prepare()
+
+  // The band at hand, and its pixels. Band::x_q8 and y_q8 count samples from
+  // the pixel at first_column(box) and box.y0.
   Band band;
   Rect pixels;
   const Sink* sink;  // null: only the box is asked for
