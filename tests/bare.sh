@@ -1,40 +1,36 @@
 #!/bin/sh
-# Runs README's two commands as on a fresh machine: a minimal Debian (debootstrap,
+# Runs README's three commands as on a fresh machine: a minimal Debian (debootstrap,
 # variant minbase) with git and nothing else. Each gets a machine of its own, a
 # copy of one root directory, and in it a clone of HEAD of this checkout:
 #
-#   sh tests/bare.sh [--demo | --tests] [--fresh]
+#   sh tests/bare.sh [--demo] [--page] [--tests] [--fresh]    # none: all three
 #
-#   --demo    only host_tools/demo.sh; its pictures are left in build/bare/demo
-#   --tests   only tests/run.sh; its logs are left in build/bare/tests
+#   --demo    host_tools/demo.sh; its pictures are left in build/bare/demo
+#   --page    host_tools/playground/build.sh; the page is left in build/bare/page
+#   --tests   tests/run.sh; its logs are left in build/bare/tests
 #   --fresh   first remove the cached root directory and the compiler cache
 #
-# Prints the seconds of each, in brackets those of processor time. Exits with 0 if
-# both passed; otherwise it shows the end of the log, and leaves the machine in
-# build/bare/machine-demo or machine-tests.
+# Prints the seconds of each, in brackets those of processor time, and the last
+# line of its output. Exits with 0 if all passed; otherwise it shows the end of the
+# log, and leaves the machine in build/bare/machine-demo, -page or -tests.
 #
 # Needs root, Debian and its packages (inkcell_setup bare), and about 15 GB below
 # build/bare. Everything but the packages comes from this machine: Debian's
 # mirrors, apt's settings of downloads, proxies, certificates, hosts, resolv.conf.
 # The compiler cache of tests/run.sh, build/bare/ccache, is kept between runs.
 set -eu
-run_demo=yes
-run_tests=yes
+wanted=
 fresh=
 for option; do
   case $option in
-    --demo) run_tests= ;;
-    --tests) run_demo= ;;
+    --demo | --page | --tests) wanted="$wanted ${option#--}" ;;
     --fresh) fresh=yes ;;
     --help) sed -n '2,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) echo "tests/bare.sh: $option: there are --demo, --tests, --fresh, --help" >&2
+    *) echo "tests/bare.sh: $option: there are --demo, --page, --tests, --fresh," \
+         "--help" >&2
        exit 2 ;;
   esac
 done
-if [ -z "$run_demo$run_tests" ]; then
-  echo "tests/bare.sh: --demo and --tests exclude each other; neither: both" >&2
-  exit 2
-fi
 fail() {
   echo "tests/bare.sh: $*" >&2
   exit 1
@@ -121,8 +117,8 @@ take_processor() {
     printf "%d", s }' "$work/times")
 }
 
-# on_machine <name> <script>: runs a script of this checkout on a machine of its
-# own, says how it went and how long it took, and keeps build/<name>.
+# on_machine <name> <script and options>: runs a script of this checkout on a machine
+# of its own, says how it went and how long it took, and keeps build/<name>.
 on_machine() {
   name=$1
   machine=$work/machine-$name
@@ -160,13 +156,14 @@ on_machine() {
   ' machine "$machine" "$work/ccache" "$2" >"$work/$name.log" 2>&1 ||
     verdict=FAILED
   take_processor
-  printf '%-8s%-28s%4d s (%d s)\n' $verdict "$2" $(($(date +%s) - begun)) \
+  printf '%-8s%-42s%4d s (%d s)\n' $verdict "$2" $(($(date +%s) - begun)) \
     $((processor - begun_processor))
   remove "$work/$name"
   if [ -d "$machine/inkcell/build/$name" ]; then
     cp -a "$machine/inkcell/build/$name" "$work/$name"
   fi
   if [ $verdict = ok ]; then
+    tail -n 1 "$work/$name.log" | sed 's/^/    /'
     remove "$machine"
   else
     failed=yes
@@ -197,6 +194,11 @@ if [ "$changed" != 0 ]; then
   echo "HEAD is tested, without the changes of $changed files"
 fi
 failed=
-[ -z "$run_demo" ] || on_machine demo host_tools/demo.sh
-[ -z "$run_tests" ] || on_machine tests tests/run.sh
+for name in ${wanted:-demo page tests}; do
+  case $name in
+    demo) on_machine demo host_tools/demo.sh ;;
+    page) on_machine page "host_tools/playground/build.sh build/page" ;;
+    tests) on_machine tests tests/run.sh ;;
+  esac
+done
 [ -z "$failed" ]
