@@ -1,5 +1,5 @@
 // A clock whose digits turn into the next ones by their distances.
-const MORPH_MS = 420;
+const MORPH_MS = 300;
 
 const two = (number) => String(number).padStart(2, '0');
 const timeOf = (ms) => {

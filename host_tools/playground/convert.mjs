@@ -1,7 +1,8 @@
 // Converts the reader's fonts by inkcell-fontgen in workers.
-import {$, copyLink, restore} from './dom.mjs';
+import {$, addCopy, copyLink, restore} from './dom.mjs';
 import {Generator} from './generator.mjs';
-import {argumentsOf, isFont, isIcon, withoutCharacters} from './options.mjs';
+import {argumentsOf, charactersOf, faceNames, isFont, isIcon, withoutCharacters}
+  from './options.mjs';
 import {compareBitmaps, showReport} from './report.mjs';
 
 /**
@@ -10,7 +11,9 @@ import {compareBitmaps, showReport} from './report.mjs';
  * @property {() => Promise<Uint8Array>} fontgen
  * @property {() => Promise<string>} worker
  * @property {() => string} screenText
+ * @property {() => import('../../port/web/inkcell.mjs').Look} look
  * @property {(font: Uint8Array, label: string, text?: string) => void} show
+ * @property {(font?: Uint8Array) => void} showPart without a font: the last whole one again
  */
 
 const MOST_WORKERS = 8;
@@ -27,6 +30,7 @@ const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
 function stop() {
   ++turn;
   generator.stop();
+  $('result').inert = false;
   $('go').disabled = Object.keys(files).length === 0;
   $('cancel').hidden = $('progress').hidden = true;
 }
@@ -52,24 +56,24 @@ function showAxes(report) {
 
 /** Faces of a collection. @param {Uint8Array} [bytes] */
 function showFaces(bytes) {
-  const isCollection = bytes && String.fromCharCode(...bytes.subarray(0, 4)) === 'ttcf';
-  const count = isCollection
-    ? Math.min(99, new DataView(bytes.buffer, bytes.byteOffset).getUint32(8)) : 0;
-  $('face-label').hidden = count < 2;
-  $('face').replaceChildren(...Array.from({length: count}, (_, i) => new Option(`${i}`)));
+  const names = bytes ? faceNames(bytes) : [];
+  $('face-label').hidden = names.length < 2;
+  $('face').replaceChildren(...names.map((name, i) => new Option(name, `${i}`)));
 }
 
 /**
  * The characters on the screen, which takes a second.
- * @param {Page} page @param {string[]} args @param {string} name
+ * @param {Page} page @param {string[]} args
  */
-async function showFirst(page, args, name) {
+async function showFirst(page, args) {
+  const mine = turn;
   const text = page.screenText().trim();
   if (!text || !args.includes('--font') || args.includes('field')) return;
   const first = await generator.run(files, [...withoutCharacters(args)
     .filter((word, i, all) => ![word, all[i - 1]].includes('--budget')),
   '--symbols', text, '--out', 'font.bin', '--quiet'], () => {});
-  if (first.code === 0) page.show(first.files['font.bin'], `${name}, your text alone`);
+  if (mine !== turn) return;
+  if (first.code === 0) page.showPart(first.files['font.bin']);
 }
 
 /** @param {Page} page */
@@ -82,39 +86,55 @@ async function convert(page) {
   const result = await generator.convert(files, args, outs, (part) => {
     if (mine !== turn) return;
     $('progress').value = part;
-    $('status').textContent = part < 1 ? 'Converting glyphs' : 'Hints, and a last check';
-  }, () => showFirst(page, args, name));
+    $('status').textContent = args.includes('--budget')
+      ? 'Converting several times, for the limit of bytes'
+      : part < 1 ? 'Converting glyphs' : 'Hints, and a last check';
+  }, () => showFirst(page, args));
   if (mine !== turn) return;
   const seconds = (performance.now() - begin) / 1000;
   $('messages').textContent = result.err;
   $('messages').hidden = !result.err;
   if (result.code !== 0) {
     $('status').textContent = 'The generator has refused that:';
+    $('result').hidden = true;
+    page.showPart();
     return;
   }
   const {'report.json': json, ...made} = result.files;
   const report = decoded(json);
+  const added = [...report.added?.characters ?? ''].join(' and ');
+  const characters = (report.characters === 1 ? '1 character'
+    : `${report.characters} characters`) + (added && `, with ${added} for broken lines`);
   if (report.coding === 'outline') {
     const icons = args.includes('--font') ? [] : Object.values(report.icons);
-    page.show(made['font.bin'], `${name}, ${report.glyphs} glyphs: this font, any size`,
-      String.fromCodePoint(...icons));
+    page.show(made['font.bin'], `${name}, ${characters}, any size from ${report.min_px} to ` +
+      `${report.max_px} px`, String.fromCodePoint(...icons));
+  } else {
+    page.showPart();
   }
-  showReport(page.core, report, made, name, args);
-  $('status').textContent += ` ${report.font}: ${report.characters} characters in ` +
+  showReport(page.core, report, made, name, args, page.screenText(), page.look());
+  $('status').textContent += ` ${report.font}: ${characters} in ` +
     `${seconds.toFixed(1)} s, by ${generator.count} ` +
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
     (report.coding === 'outline' ? ' The displays above show it.' : '');
   $('result').dataset.seconds = seconds.toFixed(2);
+  $('status').scrollIntoView({block: 'start'});
   $('result').dataset.count = `${Number($('result').dataset.count ?? 0) + 1}`;
 }
 
 /** @param {Page} page */
 async function submit(page) {
   stop();
+  const names = Object.keys(files);
+  if (names.some(isFont) && !charactersOf(names, page.screenText())) {
+    $('status').textContent = 'Choose characters first: a list, the text above, or more.';
+    return;
+  }
   const mine = turn;
-  $('go').disabled = true;
+  $('go').disabled = $('result').inert = true;
   $('cancel').hidden = $('progress').hidden = false;
   $('progress').removeAttribute('value');
+  $('status').scrollIntoView({block: 'nearest'});
   $('status').textContent = 'Starting the generator';
   try {
     await generator.start();
@@ -134,17 +154,25 @@ async function submit(page) {
   if (mine === turn) stop();
 }
 
-/** Fonts and icons replace each other; so do sources and texts. @param {FileList} list */
-async function choose(list) {
-  const chosen = [...list];
-  /** @param {string} name */
-  const isDrawn = (name) => isFont(name) || isIcon(name);
-  const kinds = new Set(chosen.map(({name}) => isDrawn(name)));
-  files = Object.fromEntries(Object.entries(files).filter(([name]) => !kinds.has(isDrawn(name))));
-  for (const file of chosen) files[file.name] = new Uint8Array(await file.arrayBuffer());
+/** @param {string} name */
+const isDrawn = (name) => isFont(name) || isIcon(name);
+
+function showFiles() {
   const names = Object.keys(files);
   $('chosen').textContent = names.filter(isDrawn).join(', ');
   $('sources-chosen').textContent = names.filter((name) => !isDrawn(name)).join(', ');
+  $('no-sources').hidden = names.every(isDrawn);
+}
+
+/** Fonts and icons replace each other; so do sources and texts. @param {FileList} list */
+async function choose(list) {
+  const chosen = [...list];
+  const kinds = new Set(chosen.map(({name}) => isDrawn(name)));
+  files = Object.fromEntries(Object.entries(files).filter(([name]) => !kinds.has(isDrawn(name))));
+  for (const file of chosen) files[file.name] = new Uint8Array(await file.arrayBuffer());
+  showFiles();
+  const names = Object.keys(files);
+  $('characters').disabled = names.some(isIcon) && !names.some(isFont);
   if (kinds.has(true)) showFaces(files[names.find(isFont) ?? '']);
   if (names.some(isDrawn)) $('options').requestSubmit();
   else stop();
@@ -159,6 +187,11 @@ export function startConverter(page) {
     // The same file again, after it has changed.
     $(id).onclick = () => { $(id).value = ''; };
   }
+  $('no-sources').onclick = () => {
+    files = Object.fromEntries(Object.entries(files).filter(([name]) => isDrawn(name)));
+    showFiles();
+    $('sources').focus();
+  };
   const over = (/** @type {DragEvent} */ event) => {
     event.preventDefault();
     $('drop').classList.toggle('over', event.type === 'dragover');
@@ -174,13 +207,28 @@ export function startConverter(page) {
   showBudget();
   $('cancel').onclick = () => {
     stop();
-    $('status').textContent = 'Cancelled.';
+    page.showPart();
+    $('status').textContent = $('result').hidden ? 'Cancelled.'
+      : 'Cancelled. What follows is of the font before.';
     $('go').focus();
   };
   $('options').onsubmit = (/** @type {Event} */ event) => {
     event.preventDefault();
     submit(page);
   };
+  const checkSizes = () => $('max').setCustomValidity(
+    Number($('max').value) < Number($('min').value)
+      ? `The largest size must be ${$('min').value} px or more, which is the least.` : '');
+  $('options').oninput = () => {
+    checkSizes();
+    if (!$('result').hidden && !$('result').inert) {
+      $('status').textContent = 'Settings have changed. Convert again for a font with them.';
+    }
+  };
+  checkSizes();
+  if (location.hash) $('status').textContent = 'The link has brought settings; a font is missing.';
   $('sizes').oninput = $('bits').onchange = () => compareBitmaps(page.core);
+  document.querySelectorAll('#result pre').forEach((/** @type {any} */ listing) =>
+    addCopy(listing));
   $('convert-link').onclick = () => copyLink($('convert-note'));
 }

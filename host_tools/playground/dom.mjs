@@ -70,8 +70,25 @@ export async function copyLink(note) {
   history.replaceState(null, '', `#${new URLSearchParams(values)}`);
   try {
     await navigator.clipboard.writeText(location.href);
-    note.textContent = 'Copied.';
+    note.textContent = location.protocol === 'file:'
+      ? 'Copied. Others open it with their copy of this page, from # on.' : 'Copied.';
   } catch {
     note.textContent = 'The link is in the address bar.';
   }
+}
+
+/** Puts a button beside a listing, which copies it. @param {HTMLElement} listing */
+export function addCopy(listing) {
+  const copy = button('Copy', async () => {
+    try {
+      await navigator.clipboard.writeText(listing.textContent ?? '');
+      copy.textContent = 'Copied';
+    } catch {
+      getSelection()?.selectAllChildren(listing);
+    }
+  });
+  copy.className = 'copy';
+  copy.setAttribute('aria-label', `Copy: ${listing.getAttribute('aria-label')}`);
+  copy.onblur = () => { copy.textContent = 'Copy'; };
+  listing.before(copy);
 }

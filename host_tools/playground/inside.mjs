@@ -3,6 +3,7 @@
 import {$} from './dom.mjs';
 
 const POINTS = 240;  // along a side
+const ZOOM = 3;  // pixels of the picture to a point
 const LINE_U = 32;  // between two lines of equal distance [1/1024 em]
 const IN_EM = 1024;
 const CELL = 216;  // the side of the picture of a cell [px]
@@ -14,12 +15,13 @@ const BAR_KINDS = ['bar', 'serif', 'edge', 'free end'];
  */
 function colourOf(distance, step) {
   const far = Math.min(1, Math.abs(distance) / 160);
-  const near = Math.abs(distance) < step;
+  const near = Math.max(0, Math.min(1, 1.8 - 1.5 * Math.abs(distance) / step));
   const onLine = Math.abs(distance) < 128 &&
     Math.abs(distance - Math.round(distance / LINE_U) * LINE_U) < step / 2;
   const [r, g, b] = distance > 0 ? [255 - 60 * far, 190 - 110 * far, 120 - 90 * far]
                                  : [40 - 20 * far, 70 - 44 * far, 110 - 70 * far];
-  return near ? [255, 255, 255] : onLine ? [r * 0.72, g * 0.72, b * 0.72] : [r, g, b];
+  const shade = onLine ? 0.72 : 1;
+  return [r, g, b].map((c) => c * shade + (255 - c * shade) * near);
 }
 
 /** A picture whose pixels are colours. @param {(x: number, y: number) => number[]} colourAt */
@@ -35,11 +37,10 @@ function picture(side, colourAt) {
 /** @param {import('../../port/web/inkcell.mjs').Core} core */
 export function startInside(core) {
   const canvas = $('field');
-  canvas.width = canvas.height = 3 * POINTS;
+  canvas.width = canvas.height = ZOOM * POINTS;
   /** @type {CanvasRenderingContext2D} */
   const context = canvas.getContext('2d');
-  const small = new OffscreenCanvas(POINTS, POINTS);
-  const pixels = /** @type {OffscreenCanvasRenderingContext2D} */ (small.getContext('2d'));
+  let painted = new ImageData(1, 1);
   const probe = {column: POINTS / 2, row: POINTS / 2};
   /** @type {any} */
   let field = null;
@@ -143,8 +144,8 @@ export function startInside(core) {
         context.fill();
       }
     }
-    const px = (probe.column + 0.5) * 3;
-    const py = (probe.row + 0.5) * 3;
+    const px = (probe.column + 0.5) * ZOOM;
+    const py = (probe.row + 0.5) * ZOOM;
     context.strokeStyle = '#000';
     context.strokeRect(px - 4, py - 4, 8, 8);
     drawCell(cell);
@@ -157,35 +158,57 @@ export function startInside(core) {
       : ' No edge is near: the cell keeps only whether it is inside or outside.');
   }
 
+  /** The distance between points, by those around it. [u] */
+  function between(column, row) {
+    const within = (/** @type {number} */ i) => Math.max(0, Math.min(POINTS - 1, i));
+    const [x, y] = [within((column + 0.5) / ZOOM - 0.5), within((row + 0.5) / ZOOM - 0.5)];
+    const [left, top] = [Math.floor(x), Math.floor(y)];
+    const right = 4 * (Math.min(left + 1, POINTS - 1) - left);
+    const p = 4 * (top * POINTS + left);
+    const q = top + 1 < POINTS ? p + 4 * POINTS : p;
+    const {points} = field;
+    const upper = points[p] + (points[p + right] - points[p]) * (x - left);
+    const lower = points[q] + (points[q + right] - points[q]) * (x - left);
+    return (upper + (lower - upper) * (y - top)) / 1024;
+  }
+
   function paintField() {
     const step = field.side / POINTS;
     const {points} = field;
     const [showField, showCells] = [$('distances').checked, $('cells').checked];
-    pixels.putImageData(picture(POINTS, (column, row) => {
-      const p = 4 * (row * POINTS + column);
-      const distance = points[p] / 1024;
+    // A cell's lower left corner, at the point of a pixel.
+    const corner = (column, row) => 4 * (Math.floor(row / ZOOM) * POINTS +
+      Math.floor(column / ZOOM));
+    painted = picture(ZOOM * POINTS, (column, row) => {
+      const distance = between(column, row);
+      const inside = Math.max(0, Math.min(1, distance * ZOOM / step + 0.5));
       const colour = showField ? colourOf(distance, step)
-        : distance > 0 ? [196, 128, 84] : [28, 44, 70];
-      const next = column + 1 < POINTS ? p + 4 : p;
-      const below = row + 1 < POINTS ? p + 4 * POINTS : p;
-      const border = showCells && [next, below].some((q) =>
+        : [28, 44, 70].map((c, i) => c + ([196, 128, 84][i] - c) * inside);
+      if (!showCells) return colour;
+      const p = corner(column, row);
+      const border = [corner(Math.min(column + 1, ZOOM * POINTS - 1), row),
+        corner(column, Math.min(row + 1, ZOOM * POINTS - 1))].some((q) =>
         points[p + 1] !== points[q + 1] || points[p + 2] !== points[q + 2]);
       return border ? colour.map((c) => c * 0.6 + 50) : colour;
-    }), 0, 0);
+    });
     draw();
   }
 
   function draw() {
-    context.imageSmoothingEnabled = false;
-    context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    context.putImageData(painted, 0, 0);
     if (outline && $('hints-shown').checked) drawHints();
     if (outline && $('points-shown').checked) drawPoints();
     drawProbe();
   }
 
   function look() {
-    const char = [...$('glyph').value.trim()][0];
+    const char = [...$('glyph').value.trim()].at(-1);
     if (!char) return;
+    if ($('glyph').value !== char) $('glyph').value = char;  // what was typed last
+    if (!core.has(char)) {
+      $('outline-size').textContent = `The font has no '${char}'.`;
+      return;
+    }
     try {
       outline = core.points(char);
       const count = outline.points.filter(({kind}) => kind !== 3).length;
@@ -195,7 +218,7 @@ export function startInside(core) {
           'none') + '.';
       field = core.field(char, POINTS);
       $('field-size').textContent = `${field.cells} cells, ` +
-        `${field.bytes.toLocaleString('en')} bytes, made of these points by the device.`;
+        `${field.bytes.toLocaleString('en')} bytes of RAM, where a program asks for them.`;
       paintField();
     } catch (error) {
       $('field-size').textContent = `'${char}': ${/** @type {Error} */ (error).message}`;

@@ -8,6 +8,35 @@ export const isFont = (name) => /\.(ttf|otf|ttc|otc|woff2?)$/i.test(name);
 /** @param {string} name */
 const isSource = (name) => /\.([ch]|cc|cpp|cxx|hh|hpp|hxx|ino)$/i.test(name);
 
+/**
+ * The names of the faces of a collection; no name if the file is none.
+ * @param {Uint8Array} bytes
+ */
+export function faceNames(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  if (bytes.length < 12 || view.getUint32(0) !== 0x74746366) return [];  // 'ttcf'
+  return Array.from({length: Math.min(99, view.getUint32(8))}, (_, face) => {
+    try {
+      const font = view.getUint32(12 + 4 * face);
+      for (let i = 0; i < view.getUint16(font + 4); ++i) {
+        if (view.getUint32(font + 12 + 16 * i) !== 0x6e616d65) continue;  // 'name'
+        const table = view.getUint32(font + 20 + 16 * i);
+        const text = table + view.getUint16(table + 4);
+        for (let at = table + 6; at < table + 6 + 12 * view.getUint16(table + 2); at += 12) {
+          // The full name in UTF-16, in whatever language comes first.
+          if (view.getUint16(at) !== 3 || view.getUint16(at + 6) !== 4) continue;
+          const begin = text + view.getUint16(at + 10);
+          return `${face}: ${new TextDecoder('utf-16be')
+            .decode(bytes.subarray(begin, begin + view.getUint16(at + 8)))}`;
+        }
+      }
+    } catch {
+      // Cut off: the generator says so.
+    }
+    return `${face}`;
+  });
+}
+
 /** An identifier of C from a file's name. @param {string} name */
 export const identifier = (name) =>
   name.replace(/\.\w+$/, '').replace(/\W+/g, '_').replace(/^(\d|$)/, 'font_$1');
@@ -30,6 +59,22 @@ function beyond(lists, text) {
 }
 
 /**
+ * The options that name characters, or null if there are none.
+ * @param {string[]} names of the files
+ * @param {string} screenText
+ */
+export function charactersOf(names, screenText) {
+  const lists = [...document.querySelectorAll('[name=set]:checked')]
+    .map((/** @type {any} */ set) => set.value);
+  const more = beyond(lists, $('symbols').value + ($('mine').checked ? screenText : ''));
+  const texts = names.filter((name) => !isFont(name) && !isIcon(name));
+  const args = [...lists.map((list) => ['--chars', list]), ...(more ? [['--symbols', more]] : []),
+    ...texts.filter(isSource).map((name) => ['--strings-from', name]),
+    ...texts.filter((name) => !isSource(name)).map((name) => ['--text-file', name])].flat();
+  return args.length > 0 ? args : null;
+}
+
+/**
  * @param {string[]} names of the files
  * @param {string} screenText
  */
@@ -38,16 +83,9 @@ export function argumentsOf(names, screenText) {
   const args = font ? ['--font', font] : [];
   /** @param {string} option @param {string[]} values */
   const add = (option, ...values) => values.forEach((value) => args.push(option, value));
-  const lists = [...document.querySelectorAll('[name=set]:checked')]
-    .map((/** @type {any} */ set) => set.value);
-  const more = beyond(lists, $('symbols').value + ($('mine').checked ? screenText : ''));
   if (font) {
     if (!$('face-label').hidden) add('--face', $('face').value);
-    add('--chars', ...lists);
-    if (more) add('--symbols', more);
-    const texts = names.filter((name) => !isFont(name) && !isIcon(name));
-    add('--strings-from', ...texts.filter(isSource));
-    add('--text-file', ...texts.filter((name) => !isSource(name)));
+    args.push(...charactersOf(names, screenText) ?? []);
   }
   names.filter(isIcon).forEach((name, i) =>
     add('--svg', `${name}=0x${(0xE000 + i).toString(16).toUpperCase()}`));

@@ -55,18 +55,24 @@ export class Screen {
   /** What suits this display of a style that is meant for all. */
   fitted(look, colour) {
     const oneBit = this.kind.format === 'mono-pages';
+    // Strokes that are bolder by more do not break.
     const bilevel = oneBit && look.fit !== 'none' && !look.angle &&
-      look.effect === 'none';
+      look.effect === 'none' && look.weight <= 0.5;
     return {...look, colour, levels: oneBit ? 2 : 0,
+      fit: oneBit && look.fit !== 'none' ? 'across' : look.fit,  // as its canvas does
       effect: bilevel ? 'bilevel' : look.effect};
   }
 
-  /** Draws text in the middle of the rows [top, bottom), over several lines. */
+  /**
+   * Draws text in the middle of the rows [top, bottom), over several lines, and
+   * returns whether all of it is there.
+   */
   text(core, look, text, top = 0, bottom = this.height) {
     const step = look.size * LINE;
     // The descent of the last line may be cut off, but not its letters.
     const most = Math.max(1, Math.floor((bottom - top + look.size * 0.4) / step));
-    const lines = wrapped(core, look, text, this.width - 4).slice(0, most);
+    const all = wrapped(core, look, text, this.width - 4);
+    const lines = all.slice(0, most);
     const middle = (top + bottom) / 2;
     // The lines are turned as one, about the middle.
     const turn = (look.angle || 0) * Math.PI / 180;
@@ -79,15 +85,21 @@ export class Screen {
     };
     if (look.glow) {
       this.display.kind = this.kind.format === 'rgb565' ? 0 : 1;
-      const soft = {...this.fitted({...look, effect: 'none'}, this.kind.glow),
-        filter: 'glow', weight: look.glow, fit: 'none'};
+      const soft = this.fitted({...look, effect: 'none', filter: 'glow',
+        weight: look.glow, fit: 'none'}, this.kind.glow);
       lines.forEach((line, i) =>
         core.draw(this.display, soft, line, ...place(line, i)));
       this.display.kind = 0;
+      if (look.effect === 'outline') {
+        const body = this.fitted({...look, effect: 'none'}, this.kind.paper);
+        lines.forEach((line, i) => core.draw(this.display, body, line, ...place(line, i)));
+      }
     }
     const sharp = this.fitted(look, this.kind.ink);
     lines.forEach((line, i) =>
       core.draw(this.display, sharp, line, ...place(line, i)));
+    return lines.length === all.length && lines.every((line) =>
+      core.advance({...look, angle: 0}, line) <= this.width);
   }
 
   /** Copies the memory of the display to the canvas. */

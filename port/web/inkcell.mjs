@@ -25,7 +25,7 @@ const JOB_BYTES = 96;
  * @property {number} size px to the em
  * @property {number} colour 0xRRGGBB, or a level of the display
  * @property {string} [filter]
- * @property {number} [weight] px; the reach of shadow and glow
+ * @property {number} [weight] px, up to 1/2 with 'bilevel'; the reach of shadow and glow
  * @property {string} [fit]
  * @property {number} [levels]
  * @property {number} [angle] degrees, counter-clockwise
@@ -175,6 +175,19 @@ export class Core {
   get glyphs() {
     const none = new Display('a8', 1, 1);
     return this.run('glyph_count', none, {size: 16, colour: 0}, '', 0, 0);
+  }
+
+  /** Whether the font has a character. @param {string} char */
+  has(char) {
+    const none = new Display('a8', 1, 1);
+    return this.run('has', none, {size: 16, colour: 0}, '', 0, 0, char.codePointAt(0)) === 1;
+  }
+
+  /** The sizes that the font was made for. [px to the em] */
+  get sizes() {
+    const none = new Display('a8', 1, 1);
+    const both = this.run('sizes', none, {size: 16, colour: 0}, '', 0, 0);
+    return {least: both & 0xffff, most: both >>> 16};
   }
 
   /** Draws the glyph between two characters, in {width, height, baseline}. */

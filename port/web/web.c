@@ -40,9 +40,10 @@ static void set_effect(const web_job_t* job, Look* look) {
   } else if (job->effect == WEB_OUTLINE) {
     inkcell_style_set_outline(&look->style, &look->outline);
   } else if (job->effect == WEB_BILEVEL) {
-    look->bilevel = (inkcell_bilevel_options_t){
-        2, job->fit == WEB_FIT_ACROSS ? inkcell_fit_bilevel_weight(&look->fit)
-                                      : (int16_t)0};
+    const int32_t fitted_q10 =
+        job->fit == WEB_FIT_ACROSS ? inkcell_fit_bilevel_weight(&look->fit) : 0;
+    look->bilevel =
+        (inkcell_bilevel_options_t){2, (int16_t)(fitted_q10 - job->weight_q10)};
     inkcell_style_set_bilevel(&look->style, &look->bilevel);
   } else if (job->effect == WEB_EDGE_CONTRAST) {
     look->contrast = (inkcell_edge_contrast_t){90, 96};
@@ -183,6 +184,23 @@ int32_t web_glyph_count(const web_job_t* job) {
   return inkcell_font_open(job->rom, job->rom_size, &font) == INKCELL_OK
              ? inkcell_font_glyph_count(&font)
              : 0;
+}
+
+int32_t web_has(const web_job_t* job, uint32_t code_point) {
+  inkcell_font_t font;
+  uint16_t glyph;
+  return inkcell_font_open(job->rom, job->rom_size, &font) == INKCELL_OK &&
+         inkcell_font_glyph(&font, code_point, &glyph) == INKCELL_OK;
+}
+
+uint32_t web_sizes(const web_job_t* job) {
+  inkcell_font_t font;
+  inkcell_font_range_t range;
+  if (inkcell_font_open(job->rom, job->rom_size, &font) != INKCELL_OK) {
+    return 0;
+  }
+  inkcell_font_range(&font, &range);
+  return range.min_px | (uint32_t)range.max_px << 16;
 }
 
 // The pixels that units from `least` to `most` meet.

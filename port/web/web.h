@@ -50,7 +50,7 @@ typedef struct web_job_t {
   int32_t cosine_q30;  // of the angle; 0 and 0 are upright
   int32_t sine_q30;
   int32_t filter;
-  int32_t weight_q10;  // of presets; the reach of soft edges [px]
+  int32_t weight_q10;  // of presets and WEB_BILEVEL; reach of soft edges [px]
   int32_t fit;
   int32_t levels;  // of fitting: 0, 2 or 4
   int32_t effect;
@@ -73,6 +73,13 @@ uint32_t web_bitmap_bytes(const web_job_t* job, int32_t bits);
 
 /// The number of glyphs; 0 after an error.
 int32_t web_glyph_count(const web_job_t* job);
+
+/// Whether the font has a character; 0 after an error.
+int32_t web_has(const web_job_t* job, uint32_t code_point);
+
+/// The sizes that the font was made for: the least in the lower 16 bits, the
+/// largest above them. [px/em] 0 after an error.
+uint32_t web_sizes(const web_job_t* job);
 
 /// Draws the glyph between those of two code points, centred in a box whose
 /// upper left corner is (x_q6, y_q6), with the filter motion.

@@ -15,8 +15,8 @@ export async function launch(npm, address) {
     {executablePath: '/usr/bin/chromium', args: ['--no-sandbox']});
   const {origin} = new URL(address);
 
-  /** A page that is ready; `cores` for its workers. */
-  async function open({hash = '', cores = 0, ...options} = {}) {
+  /** A page that is ready; `cores` for its workers; frames tell a time `late` ms ago. */
+  async function open({hash = '', cores = 0, late = 0, ...options} = {}) {
     const page = await browser.newPage({reducedMotion: 'reduce', ...options});
     page.setDefaultTimeout(120000);
     page.on('pageerror', (error) => problems.push(error.message));
@@ -31,6 +31,12 @@ export async function launch(npm, address) {
     if (cores) {
       await page.addInitScript((count) => Object.defineProperty(navigator,
         'hardwareConcurrency', {get: () => count}), cores);
+    }
+    if (late) {
+      await page.addInitScript((ms) => {
+        const frame = window.requestAnimationFrame;
+        window.requestAnimationFrame = (step) => frame((now) => step(now - ms));
+      }, late);
     }
     const devtools = await page.context().newCDPSession(page);
     await devtools.send('Performance.enable', {timeDomain: 'threadTicks'});

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
-import {basename} from 'node:path';
+import {basename, dirname} from 'node:path';
 
 import {Core, Display} from '../../port/web/inkcell.mjs';
 import {convert, converted, download, launch, number, problems, shown, text}
@@ -72,15 +72,70 @@ const includes = ['core', 'core/field', 'core/layout', 'core/cache', 'port/pixel
 const compile = (program, language, input) => execFileSync(program,
   ['-fsyntax-only', '-Wall', '-Werror', '-I', folder, ...includes, '-x', language, '-'],
   {input, encoding: 'utf8'});
-compile('g++', 'c++', await text(page, 'usage'));
-compile('gcc', 'c', await text(page, 'usage-c'));
+
+// Projects of what the page offers: the library, the font, CMakeLists.txt and the
+// program, in C++ and in C. They draw what the displays show.
+for (const suffix of ['', '-c']) {
+  mkdirSync(`${folder}/project${suffix}`);
+  execFileSync('tar', ['-xf', `${dirname(file)}/${await page.getAttribute('#result a', 'href')}`],
+    {cwd: `${folder}/project${suffix}`});
+}
+/** The rows that a program draws, as a display. */
+async function drawnBy(suffix, source, ...fonts) {
+  const place = `${folder}/project${suffix}`;
+  for (const name of fonts) writeFileSync(`${place}/${name}`, readFileSync(`${folder}/${name}`));
+  writeFileSync(`${place}/CMakeLists.txt`, await text(page, `lists${suffix}`));
+  const program = await text(page, `usage${suffix}`);
+  writeFileSync(`${place}/${source}`, `#include <stdio.h>\n${program}
+int main(void) {
+  if ((int)hello() != 0) return 1;
+  fwrite(rows, 1, sizeof rows, stdout);
+  return 0;
+}
+`);
+  execFileSync('cmake', ['-S', '.', '-B', 'build'], {cwd: place});
+  execFileSync('cmake', ['--build', 'build', '--target', 'app'], {cwd: place});
+  const pixels = execFileSync(`${place}/build/app`);
+  const display = new Display('rgb565', 240, pixels.length / 480);
+  display.pixels.set(pixels);
+  return display;
+}
+/** Both programs, against one drawing after another of the library in node. */
+async function compareDrawn(what, words, x, y, ...looks) {
+  const cpp = await drawnBy('', 'main.cpp', 'DejaVuSerif.hpp');
+  const c = await drawnBy('-c', 'main.c', 'DejaVuSerif.c', 'DejaVuSerif.h');
+  const wanted = new Display('rgb565', 240, cpp.height);
+  for (const look of looks) core.draw(wanted, look, words, x, y);
+  assert.ok(wanted.pixels.some((byte) => byte !== 0), what);
+  assert.deepEqual(cpp.pixels, wanted.pixels, `${what} in C++`);
+  assert.deepEqual(c.pixels, wanted.pixels, `${what} in C`);
+}
+core.open(readFileSync(`${folder}/DejaVuSerif.bin`));
+const white = {size: 27, filter: 'text', colour: 0xffffff, fit: 'heights'};
+await compareDrawn('the text', 'Größe 12', 4, 31, white);
+await page.fill('#weight', '0.4');
+await page.fill('#outline', '1');
+await page.fill('#glow', '2');
+await again(page);
+const bolder = {...white, weight: 0.4};
+await compareDrawn('outline and glow', 'Größe 12', 4, 31,
+  {...white, filter: 'glow', weight: 2, fit: 'none', colour: 0xff5c18}, {...bolder, colour: 0},
+  {...bolder, effect: 'outline', outline: 1});
+await page.click('#plain');
+await page.fill('#angle', '20');
+await page.selectOption('#filter', 'area');
+await again(page);
+assert.match(await text(page, 'usage'), /kFilterArea, direction/);
+const [, left, top] = /\{(\d+), (\d+)\}, "/.exec(await text(page, 'usage'));
+await compareDrawn('turned text', 'Größe 12', Number(left), Number(top),
+  {...white, filter: 'area', angle: 20});
+await page.click('#plain');
 assert.equal(await number(page, 'font-bytes'), statSync(`${folder}/DejaVuSerif.bin`).size);
 
 // The worst pixel, on demand, and bitmaps of sizes that the reader names.
-core.open(readFileSync(`${folder}/DejaVuSerif.bin`));
 await page.click('#worst tr:nth-child(2) button');
 const [, glyph, px, drawn, error] =
-  /^'(.)' at (\d+) px\. .* with (\d+)\/255\. That differs by ([\d.]+)\//
+  /^(.) at (\d+) px\. .* with (\d+)\/255\. That differs by ([\d.]+)\//
     .exec(await text(page, 'pixel-text'));
 assert.ok(error > 10 && error < 16.5, error);
 const {worst_pixel_per_glyph: pixels, error_per_glyph: errors} = (execFileSync('sh', ['-c',
@@ -94,6 +149,14 @@ core.draw(one, {size: worst.px, filter: 'text', colour: 255}, glyph,
   0.5 - worst.x_u * worst.px / 1024, 0.5 + worst.y_u * worst.px / 1024);
 assert.equal(one.pixels[0], Number(drawn));
 assert.ok(await page.isVisible('#pixel'));
+assert.ok(await page.evaluate(() => {
+  const canvas = document.getElementById('pixel');
+  const {width, height} = canvas;
+  const context = canvas.getContext('2d');
+  return [[0, 0, width, 1], [0, height - 1, width, 1], [0, 0, 1, height],
+    [width - 1, 0, 1, height]].every(([...box]) =>
+    context.getImageData(...box).data.every((level) => level === 255));
+}), 'the glyph is cut off');
 await page.fill('#sizes', '20, 28');
 await page.selectOption('#bits', '1');
 assert.deepEqual(await page.$$eval('#bitmaps td', (cells) =>
@@ -134,6 +197,31 @@ compile('g++', 'c++', await text(page, 'usage'));
 await compare(page, 'a field');
 await page.selectOption('#coding', 'outline');
 
+// Sizes of the displays are the font's. A text of digits and no colon: no clock.
+await page.uncheck('#digits');
+await page.check('#mine');
+await page.fill('#text', '23.5 °C');
+await page.fill('#min', '30');
+await page.fill('#max', '48');
+await page.click('#no-sources');
+await again(page);
+assert.deepEqual(await page.evaluate(() => ['min', 'max', 'value'].map((name) =>
+  document.getElementById('size')[name])), ['30', '48', '30']);
+assert.match(await text(page, 'note'), /no clock/);
+assert.match(await text(page, 'usage'), /style\(30_px,[^]* \{4, 34\}, "23.5 °C"\);/);
+await page.fill('#text', '23 km');
+assert.match(await text(page, 'note'), /lacks k m:/);
+await page.fill('#min', '49');
+assert.ok(!await page.evaluate(() => document.getElementById('options').checkValidity()));
+await page.fill('#min', '8');
+await page.uncheck('#mine');
+await page.click('#go');
+assert.match(await text(page, 'status'), /^Choose characters/);
+await page.click('#built-in');
+assert.ok(!await page.isVisible('#built-in'));
+assert.match(await text(page, 'font-label'), /^DejaVu Sans, 95/);
+await page.check('#mine');
+
 // The link carries settings.
 await page.fill('#max', '32');
 await page.click('#convert-link');
@@ -161,6 +249,8 @@ assert.match(await text(page, 'command'), /--axis wght=900/);
 await compare(page, 'an axis of WOFF2');
 await convert(page, `${folder}/both.ttc`);
 assert.ok(await page.isVisible('#face'));
+// The second has no name.
+assert.equal(await page.textContent('#face'), '0: DejaVu Sans1');
 await page.selectOption('#face', '1');
 await again(page);
 assert.match(await text(page, 'command'), /--face 1/);
@@ -171,7 +261,8 @@ await page.focus('#go');
 await page.keyboard.press('Enter');
 await page.focus('#cancel');
 await page.keyboard.press('Enter');
-assert.equal(await text(page, 'status'), 'Cancelled.');
+assert.equal(await text(page, 'status'), 'Cancelled. What follows is of the font before.');
+assert.doesNotMatch(await text(page, 'note'), /Your text in your font/);
 assert.ok(await page.isEnabled('#go'));
 await page.evaluate(() => {
   const dataTransfer = new DataTransfer();
@@ -181,11 +272,23 @@ await page.evaluate(() => {
 await page.waitForFunction(() =>
   document.getElementById('messages').textContent.startsWith('error: broken.ttf: '));
 assert.match(await text(page, 'status'), /refused/);
+assert.ok(!await page.isVisible('#result'), 'the font before is offered');
 writeFileSync(`${folder}/dot.svg`, '<svg xmlns="http://www.w3.org/2000/svg" ' +
   'viewBox="0 0 8 8"><circle cx="4" cy="4" r="3"/></svg>');
 await convert(page, `${folder}/dot.svg`);
 assert.match(await text(page, 'command'), /--svg dot\.svg=0xE000/);
 assert.equal(await page.inputValue('#text'), '\ue000');
 assert.ok((await shown(page, 'oled', 128, 64)).includes(1), 'no icon');
+assert.deepEqual(await page.$$eval('#icon-list th, #icon-list td', (cells) =>
+  cells.map((cell) => cell.textContent)),
+['Dot', '', 'U+E000', 'fonts::icons_icons::kDot icons_icons_Dot']);
+assert.ok(!await page.isEnabled('#ascii'));
+assert.equal(await page.textContent('#largest th'), 'Dot');
+await page.click('#worst button');
+assert.match(await text(page, 'pixel-text'), /^Dot at /);
+await native(page, '--out icons.hpp --out icons.c --header icons.h');
+assert.match(await text(page, 'usage'), /fonts::icons_icons::kDot\);/);
+compile('g++', 'c++', await text(page, 'usage'));
+compile('gcc', 'c', await text(page, 'usage-c'));
 assert.deepEqual(problems, []);
 await browser.close();

@@ -36,6 +36,7 @@ for (const format of FORMATS) {
     for (const size of [11, 37.5]) {
       add(format, 'plain', {effect, size, outline: 1.25, fit: 'heights'});
     }
+    add(format, 'plain', {effect, outline: 1.25, fit: 'heights', weight: 0.4});
   }
   for (const progress of [0, 0.4, 1]) {
     add(format, 'plain', {size: 40}, {width: 30, height: 44, baseline: 38,
@@ -142,6 +143,8 @@ assert.equal(drawn, pictures.length, 'pictures that show nothing');
 assert.ok(Math.abs(core.advance({size: 32, colour: 0}, 'mm') -
   2 * core.advance({size: 32, colour: 0}, 'm')) < 0.1);
 assert.ok(core.glyphs > 90);
+assert.deepEqual([...'Az~é'].map((char) => core.has(char)), [true, true, true, false]);
+assert.deepEqual(core.sizes, {least: 8, most: 64});
 const bitmaps = [16, 32].map((size) => core.bitmapBytes(size, 4));
 assert.ok(bitmaps[0] > 0 && bitmaps[1] > 3 * bitmaps[0]);
 assert.throws(() => core.open(new Uint8Array(64)), /bad magic/);
