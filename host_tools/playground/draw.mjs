@@ -9,7 +9,7 @@ const [file, npm, out] = process.argv.slice(2);
 const {chromium} = createRequire(`${npm}/`)('playwright-core');
 const browser = await chromium.launch(
   {executablePath: '/usr/bin/chromium', args: ['--no-sandbox']});
-const page = await browser.newPage({viewport: {width: 820, height: 780},
+const page = await browser.newPage({viewport: {width: 850, height: 772},
   reducedMotion: 'reduce', timezoneId: 'UTC'});
 await page.goto(`file://${file}`);
 await page.waitForSelector('body[data-ready]');

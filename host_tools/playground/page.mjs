@@ -107,10 +107,10 @@ function showSum() {
   $('size-shown').textContent = `${Math.round(size)} px`;
   const {length} = whole.bytes;
   $('font-bytes').textContent = bytesOf(length);
-  $('bitmap-label').textContent = '4-bit bitmaps of the same glyphs, uncompressed, for ' +
+  $('bitmap-label').textContent = '4-bit bitmaps of the same glyphs, uncompressed, ' +
     (seen.size === 1 ? 'this size' : seen.size > range.most - range.least
-      ? `all ${seen.size} sizes` : `the ${seen.size} sizes that you saw`) +
-    ` (for ${FEW.join(', ')} px alone ${bytesOf(few)})`;
+      ? `all ${seen.size} sizes` : `${seen.size} sizes so far`) +
+    ` (${FEW.join(', ')} px alone: ${few.toLocaleString('en')})`;
   $('bitmap-bytes').textContent = bytesOf(sum);
   $('font-bar').style.width = `${100 * length / all}%`;
   $('bitmap-bar').style.width = `${100 * sum / all}%`;
