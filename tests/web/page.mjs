@@ -15,6 +15,9 @@ const MOST_MS = 300;  // of processor time until controls answer
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 assert.ok(statSync(file).size <= MOST_BYTES, `${statSync(file).size} bytes`);
+const [, saidMb] = /One HTML file, ([\d.]+) MB/.exec(
+  readFileSync(new URL('../../docs/PLAYGROUND.md', import.meta.url), 'utf8'));
+assert.ok(Math.abs(statSync(file).size / 1e6 - saidMb) < 0.02, `PLAYGROUND.md: ${saidMb} MB`);
 
 const {browser, open} = await launch(npm, `file://${file}`);
 
