@@ -33,12 +33,12 @@ CHECKS = """
 """
 TWINS = ("// What types of C stand for.\n" + MADE.format("its tables") +
          "#pragma once\n\n")
-FUNCTION = r"(\w[\w ]*\*? )(inkcell_[\w{}]+)\(([^()]*)\)(?: = (.*))?"
+FUNCTION = r"(\w[\w ]*\*? )(inkcell_[\w{}]+)\(([^()]*)\)(?: (:?)= (.*))?"
 
 
 def joined(head, tail):
     """A line and indented ones, the former up to the end of what it begins."""
-    while tail and (tail[0].startswith("    = ") or len(
+    while tail and (re.match("    :?= ", tail[0]) or len(
             re.findall(r"[({]", head)) > len(re.findall(r"[)}]", head))):
         head, tail = head + " " + tail[0].strip(), tail[1:]
     return head.replace("( ", "("), tail
@@ -101,8 +101,6 @@ class Api:
                                            for name in names.split())
         elif word == "header":
             self.begin_header(rest + "".join(tail))
-        elif word == "in":
-            self.source = rest
         elif word == "each":
             self.each = rest.split()
         elif word in ("struct", "shared", "opaque"):
@@ -120,6 +118,9 @@ class Api:
                                    joined(head, tail)[1])
             self.each = ["{}"]
         elif self.headers:
+            before = self.headers[self.header][2].rpartition("\n")[0]
+            if head.startswith("//") and re.search(r"(?:^|\n)(?!//).+$", before):
+                self.declare("\n")
             self.declare("\n".join([head, *tail]) + "\n")
 
     def begin_header(self, text):
@@ -179,7 +180,7 @@ class Api:
         return next(value.replace("*", match[1]) for name, value in self.words
                     if fnmatch.fnmatch(match[1], name))
 
-    def read_function(self, result, name, parameters, expression, body):
+    def read_function(self, result, name, parameters, empty, expression, body):
         listed = [self.parameter(text) for text in parameters.split(", ")]
         self.declare(signature(result, name, listed, ";"))
         if expression:
@@ -187,7 +188,8 @@ class Api:
                 "return code(", ")")}.get(result, ("return ", ""))
             if result == "void " and listed[-1].endswith("* out"):
                 begin = "$out = "
-            body = [f"  {begin}{expression}{end};"]
+            body = [*["  $out = {};"] * (empty == ":"),
+                    f"  {begin}{expression}{end};"]
         text = "".join(wrapped(re.sub(r"\$(\w+)", self.in_cpp, line), "      ")
                        for line in body)
         self.define(f"{signature(result, name, listed, ' {')}{text}}}\n")

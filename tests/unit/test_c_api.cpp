@@ -5,10 +5,12 @@
 #include "fonts.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
 #include "inkcell/layout/text_box.hpp"
+#include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/grey8.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/rgb565.hpp"
+#include "inkcell/value_label.hpp"
 
 using namespace inkcell;
 
@@ -165,6 +167,108 @@ TEST(own_sink_gets_what_cpp_gives) {
   Painter(sink).text(
       font, style, {Q26_6::from_int(2), Q26_6::from_raw(20 * 64 + 32)}, kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
+}
+
+TEST(values_are_those_of_cpp) {
+  const Font font = open();
+  const Style style(12_px, kFilterText);
+  ValueLabel by_cpp(font, style, {30, 12}, Anchor::end);
+  inkcell_font_t same_font;
+  inkcell_style_t same_style;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &same_font), INKCELL_OK);
+  CHECK_EQ(inkcell_style_make(12 << 6, &inkcell_filter_text, &same_style),
+           INKCELL_OK);
+  inkcell_value_label_t by_c;
+  inkcell_value_label_init(&by_c, &same_font, &same_style, 30 << 6, 12 << 6,
+                           INKCELL_ANCHOR_END);
+  static uint8_t pages[2][LABEL_WIDTH * LABEL_HEIGHT / 8];
+  constexpr int32_t kTenths[] = {-42, 424, 424};
+  for (const int32_t tenths : kTenths) {
+    for (auto& page : pages) {
+      __builtin_memset(page, 0, sizeof page);
+    }
+    const port::MonoPagesCanvas canvas(
+        {pages[0], 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH});
+    const Rect changed = by_cpp.set(NumberText(tenths, 1), canvas);
+    by_cpp.draw(canvas);
+
+    inkcell_mono_pages_target_t target = {};
+    target.strip = {pages[1],    sizeof pages[1],  0,
+                    0,           LABEL_WIDTH,      LABEL_HEIGHT,
+                    LABEL_WIDTH, INKCELL_LOW_FIRST};
+    target.threshold = 128;
+    target.level = 1;
+    inkcell_sink_t sink;
+    CHECK_EQ(inkcell_mono_pages_sink(&target, &sink), INKCELL_OK);
+    char number[INKCELL_NUMBER_BYTES];
+    inkcell_rect_t rect;
+    inkcell_value_label_set(&by_c,
+                            inkcell_number_text(tenths, 1, 1, '.', number),
+                            INKCELL_TERMINATED, &sink, &rect);
+    inkcell_value_label_draw(&by_c, &sink, nullptr);
+    CHECK_EQ(differences(pages[0], pages[1]), 0);
+    CHECK_EQ(rect.x0, changed.x0);
+    CHECK_EQ(rect.y0, changed.y0);
+    CHECK_EQ(rect.x1, changed.x1);
+    CHECK_EQ(rect.y1, changed.y1);
+  }
+  // The longest number fits its buffer.
+  char longest[INKCELL_NUMBER_BYTES];
+  const Text text = inkcell_number_text(INT32_MIN, 9, 10, ',', longest);
+  CHECK(text.size == INKCELL_NUMBER_BYTES - 1);
+  CHECK_EQ(longest[11], ',');
+  CHECK_EQ(
+      Text(inkcell_number_text_of_q16(-(5 << 15), 0, 1, '.', longest)).data[1],
+      '3');
+}
+
+TEST(a_paragraph_tells_its_pixels) {
+  inkcell_font_t font;
+  inkcell_style_t style;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  CHECK_EQ(inkcell_style_make(14 << 6, &inkcell_filter_text, &style),
+           INKCELL_OK);
+  const inkcell_rect_t rect = {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4};
+  inkcell_text_box_t box;
+  inkcell_text_box_init(&box, &font, &style, &rect);
+  inkcell_rect_t pixels;
+  inkcell_text_box_pixels(&box, kLongText, INKCELL_TERMINATED, nullptr, 0,
+                          &pixels);
+  const Font same_font = open();
+  const Style same_style(14_px, kFilterText);
+  const Rect same = TextBox(same_font, same_style,
+                            {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4})
+                        .box(kLongText);
+  CHECK(same.x1 > same.x0 && same.y1 > same.y0);
+  CHECK_EQ(pixels.x0, same.x0);
+  CHECK_EQ(pixels.y0, same.y0);
+  CHECK_EQ(pixels.x1, same.x1);
+  CHECK_EQ(pixels.y1, same.y1);
+}
+
+TEST(a_morph_needs_its_pair) {
+  inkcell_font_t font;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  inkcell_outline_morph_t morph;
+  CHECK_EQ(inkcell_outline_morph_open(&font, 1, 2, &morph), INKCELL_NO_GLYPH);
+  inkcell_style_t style;
+  CHECK_EQ(inkcell_style_make(14 << 6, &inkcell_filter_text, &style),
+           INKCELL_OK);
+  inkcell_rect_t box;
+  inkcell_outline_morph_box(&morph, &style, 0, 0, 1 << 16, &box);
+  CHECK(box.x1 <= box.x0);
+  // A glyph and itself is a pair, which is drawn plain at its ends.
+  CHECK_EQ(inkcell_outline_morph_open(&font, 2, 2, &morph), INKCELL_OK);
+  inkcell_rect_t plain;
+  inkcell_outline_morph_box(&morph, &style, 0, 0, 1 << 16, &box);
+  inkcell_glyph_box(&font, 2, &style, 0, 0, &plain);
+  CHECK(plain.x1 > plain.x0);
+  CHECK_EQ(box.x0, plain.x0);
+  CHECK_EQ(box.y1, plain.y1);
+  CHECK_EQ(inkcell_ease_in_out(0), 0);
+  const int32_t half = inkcell_ease_in_out(1 << 15);
+  CHECK(half > 32700 && half < 32800);
+  CHECK_EQ(inkcell_ease_in_out(2 << 16), 1 << 16);
 }
 
 TEST(broken_fonts_are_refused) {

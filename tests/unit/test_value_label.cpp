@@ -95,6 +95,19 @@ void check_changes(const Font& font, const Style& style, Anchor anchor) {
   }
 }
 
+TEST(a_value_without_a_font_shows_nothing) {
+  constexpr ValueLabel kEmpty;
+  ValueLabel value = kEmpty;
+  CHECK(is_empty(value.set("21.5")));
+  CHECK_EQ(value.text().size, 4);
+  Sink sink;
+  sink.window = {0, 0, kWidth, kHeight};
+  sink.coverage = [](void*, int32_t, int32_t, const uint8_t*, int32_t) {
+    CHECK(false);
+  };
+  value.draw(sink);
+}
+
 TEST(a_change_makes_the_screen_of_a_full_redraw) {
   const Font font = sample_font();
   Style style(20_px);

@@ -21,19 +21,22 @@ namespace inkcell {
 /// What of a line stands at its origin.
 enum class Anchor : uint8_t { start, middle, end };
 
-/// Keeps its text, and the box of it. Font and style must outlive it. Lines of
-/// a style that is turned are anchored at their start.
+/// Keeps its text, and the box of it. Lines of a style that is turned are
+/// anchored at their start.
 class ValueLabel {
  public:
   /// The longest text. [bytes]
   static constexpr size_t kMostBytes = 31;
 
-  /// An empty text.
-  ValueLabel(const Font& font,
-             const Style& style,
-             Point origin,
-             Anchor anchor = Anchor::start) noexcept
+  /// Without a font it draws nothing.
+  constexpr ValueLabel() noexcept;
+  /// An empty text. Refers to font and style, which must outlive it.
+  constexpr ValueLabel(const Font& font,
+                       const Style& style,
+                       Point origin,
+                       Anchor anchor = Anchor::start) noexcept
       : font_(&font), style_(&style), origin_(origin), anchor_(anchor) {}
+  ValueLabel(const Font&, const Style&&, Point, Anchor = {}) = delete;
 
   /// Copies a text; one over kMostBytes is cut after a whole character. Returns
   /// the pixels of the old and of the new text, with filter, fitting and
@@ -58,7 +61,15 @@ class ValueLabel {
   Rect box_;
   Anchor anchor_;
   uint8_t size_ = 0;
-  char bytes_[kMostBytes];
+  char bytes_[kMostBytes] = {};
 };
+
+namespace detail {
+inline constexpr Font kNoFont;
+inline constexpr Style kNoStyle;
+}  // namespace detail
+
+constexpr ValueLabel::ValueLabel() noexcept
+    : ValueLabel(detail::kNoFont, detail::kNoStyle, {}) {}
 
 }  // namespace inkcell

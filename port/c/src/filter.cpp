@@ -5,6 +5,16 @@
 using namespace inkcell;
 using namespace inkcell::c;
 
+const inkcell_filter_t inkcell_filter_text = {&kFilterText};;
+
+const inkcell_filter_t inkcell_filter_motion = {&kFilterMotion};;
+
+const inkcell_filter_t inkcell_filter_paper_display = {&kFilterPaperDisplay};;
+
+const inkcell_filter_t inkcell_filter_paper_body = {&kFilterPaperBody};;
+
+const inkcell_filter_t inkcell_filter_area = {&kFilterArea};;
+
 void inkcell_filter_make(const inkcell_filter_spec_t* spec,
                          inkcell_filter_table_t* table,
                          inkcell_filter_t* out) {

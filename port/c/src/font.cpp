@@ -8,8 +8,16 @@ using namespace inkcell::c;
 inkcell_status_t inkcell_font_open(const void* rom,
                                    size_t size,
                                    inkcell_font_t* out) {
-  ref(out) = Font();
+  ref(out) = {};
   return code(Font::open({static_cast<const uint8_t*>(rom), size}, ref(out)));
+}
+
+inkcell_status_t inkcell_font_open_field(const void* rom,
+                                         size_t size,
+                                         inkcell_font_t* out) {
+  ref(out) = {};
+  return code(Font::open({static_cast<const uint8_t*>(rom), size}, kFieldCoding,
+      ref(out)));
 }
 
 inkcell_status_t inkcell_font_verify(const inkcell_font_t* font) {
@@ -42,7 +50,7 @@ inkcell_status_t inkcell_font_glyph(const inkcell_font_t* font,
 inkcell_status_t inkcell_font_glyph_metrics(const inkcell_font_t* font,
                                             uint16_t glyph,
                                             inkcell_glyph_metrics_t* out) {
-  ref(out) = GlyphMetrics();
+  ref(out) = {};
   return code(ref(font).glyph_metrics(glyph, ref(out)));
 }
 

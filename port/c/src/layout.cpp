@@ -5,10 +5,22 @@
 using namespace inkcell;
 using namespace inkcell::c;
 
+void inkcell_bidi_init(inkcell_bidi_t* bidi, uint16_t* cells, size_t count) {
+  ref(bidi) = Bidi({cells, count});
+}
+
+void inkcell_bidi_forget(inkcell_bidi_t* bidi) {
+  ref(bidi).forget();
+}
+
 void inkcell_layout_init(inkcell_layout_t* layout,
                          const inkcell_font_t* font,
                          const inkcell_style_t* style) {
   ref(layout) = LayoutOptions(ref(font), ref(style));
+}
+
+void inkcell_layout_set_bidi(inkcell_layout_t* layout, inkcell_bidi_t* bidi) {
+  ref(layout).set_bidi(ref(bidi));
 }
 
 int32_t inkcell_layout_line_height(const inkcell_layout_t* layout) {

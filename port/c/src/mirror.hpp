@@ -40,13 +40,13 @@ Place into(C* object) noexcept {
   return {cpp(object)};
 }
 
-/// Words that an object of C has for one of C++.
-template <typename Cpp, size_t kWords>
-Place into_words(const void* (&words)[kWords]) noexcept {
+/// An effect in words that an object of C has for it.
+template <typename Made, size_t kWords, typename... What>
+const Made& made(const void* (&words)[kWords], What... what) noexcept {
   static_assert(
-      sizeof(Cpp) <= sizeof(words) && alignof(Cpp) <= alignof(const void*),
+      sizeof(Made) <= sizeof(words) && alignof(Made) <= alignof(const void*),
       "too few words");
-  return {words};
+  return *new (Place{words}) Made(what...);
 }
 
 inline const Filter& filter_of(const inkcell_filter_t* filter) noexcept {
@@ -59,6 +59,12 @@ inline inkcell_status_t code(Status status) noexcept {
 
 inline Text text_of(const char* text, size_t size) noexcept {
   return size == INKCELL_TERMINATED ? Text(text) : Text(text, size);
+}
+
+inline const char* put_text(Text text, char* out) noexcept {
+  __builtin_memcpy(out, text.data, text.size);
+  out[text.size] = 0;
+  return out;
 }
 
 inline Point point_of(int32_t x_q6, int32_t y_q6) noexcept {
@@ -103,16 +109,12 @@ inline bool is_unit(int64_t cosine_q30, int64_t sine_q30) noexcept {
   return squared >= kOne - kOne / 500 && squared <= kOne + kOne / 500;
 }
 
-/// The functions of a loop of C as those of C++.
-inline Status draw_by(void* loop_of_c, const Strip& strip) noexcept {
+/// `draw` or `flush` of a loop of C as that of C++, and `wait`.
+template <auto kFunction, auto kContext>
+Status strip_by(void* loop_of_c, const Strip& strip) noexcept {
   const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);
-  return static_cast<Status>(loop.draw(
-      loop.context, reinterpret_cast<const inkcell_strip_t*>(&strip)));
-}
-inline Status flush_by(void* loop_of_c, const Strip& strip) noexcept {
-  const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);
-  return static_cast<Status>(loop.flush(
-      loop.display, reinterpret_cast<const inkcell_strip_t*>(&strip)));
+  return static_cast<Status>((loop.*kFunction)(
+      loop.*kContext, reinterpret_cast<const inkcell_strip_t*>(&strip)));
 }
 inline Status wait_by(void* loop_of_c) noexcept {
   const auto& loop = *static_cast<const inkcell_strip_loop_t*>(loop_of_c);

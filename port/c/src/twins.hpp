@@ -14,12 +14,15 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/inkcell.h"
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/layout/bidi.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/dither.hpp"
@@ -50,6 +53,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/value_label.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -201,6 +205,14 @@ struct CppOf<inkcell_text_size_t> {
 template <>
 struct CppOf<inkcell_label_t> {
   using Type = ScrollingLabel;
+};
+template <>
+struct CppOf<inkcell_value_label_t> {
+  using Type = ValueLabel;
+};
+template <>
+struct CppOf<inkcell_outline_morph_t> {
+  using Type = kinetic::OutlineMorph;
 };
 template <>
 struct CppOf<inkcell_shaped_glyph_t> {

@@ -1,12 +1,13 @@
 // A clock whose digits turn into each other, on a colour panel of 240 x 320 px,
-// ILI9341 on SPI; any display of RGB565 will do. Digits change one after the
-// other, so that one GlyphMorph and the pixels of one digit are enough RAM.
+// ILI9341 on SPI; any display of RGB565 will do. The points of the outlines
+// move: MORPH in CMakeLists.txt makes a font that knows how.
 //
-// Coming from Adafruit_GFX or U8g2: there is no such call. A digit's box is
+// Coming from Adafruit_GFX or U8g2: there is no such call. A digit is
 //
 //   GFXcanvas16 canvas(w, h)             Rgb565Canvas on a strip
 //   canvas.fillScreen(paper)             the third argument of Rgb565Canvas
-//   canvas.setCursor(x, y); print('7')   morph.draw(x, y, canvas)
+//   canvas.setCursor(x, y); print('7')   digit.draw(painter, style, {x, y},
+//                                            progress)
 //   tft.drawRGBBitmap(x, y,              run_strips(loop, {x, y, x + w, y + h})
 //       canvas.getBuffer(), w, h)
 //   tft.setRotation(1)                   display.rotation = Rotation::quarter
@@ -14,7 +15,7 @@
 #include <fonts/digits.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/kinetic/easing.hpp>
-#include <inkcell/kinetic/morph.hpp>
+#include <inkcell/kinetic/outline_morph.hpp>
 #include <inkcell/kinetic/timeline.hpp>
 #include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/ili9341.hpp>
@@ -28,35 +29,45 @@ using namespace inkcell::port;
 constexpr uint16_t kInk = rgb565(255, 217, 160);
 constexpr uint16_t kPaper = rgb565(11, 15, 22);
 constexpr Style kStyle = Style(96_px, kFilterMotion);
-constexpr MorphBox kBox = {62, 78, 74, 1};    // width, height, baseline, scale
 constexpr int32_t kX[] = {20, 82, 176, 238};  // of the digits
-constexpr int32_t kY = 81;
+constexpr Rect kDigits = {20, 81, 300, 159};
+constexpr int32_t kBaseline = 155;
 constexpr int32_t kFrames = 20;  // of a change
-alignas(4) static uint8_t pixels[2 * 62 * 78];
-static int8_t grids[morph_bytes(kBox)];
-static GridHistogram scratch;
-
-// A digit of the time: 0 is that of ten hours.
-static uint16_t glyph_of(const Font& font, uint32_t minutes, size_t digit) {
-  const uint32_t digits[] = {minutes / 600, minutes / 60 % 10, minutes / 10 % 6,
-                             minutes % 10};
-  return font.glyph_or_notdef('0' + digits[digit]);
-}
+alignas(4) static uint8_t pixels[2 * 320 * 8];
+alignas(4) static uint8_t points[4096];
 
 struct Screen {
   Font font;
-  GlyphMorph* morph;
-  size_t digit = 4;  // that changes; 4: none
+  OutlineMorph digits[4];
+  Q16_16 progress;
 };
 
 static Status draw(void* context, const Strip& strip) {
   const Screen& screen = *static_cast<const Screen*>(context);
   const Rgb565Canvas canvas(strip, kInk, kPaper);
-  Painter(canvas).text(screen.font, kStyle, {144, kY + kBox.baseline - 9}, ":");
-  if (screen.digit < 4) {
-    screen.morph->draw(kX[screen.digit], kY, canvas);
+  const Painter painter(canvas, Workspace(points));
+  painter.text(screen.font, kStyle, {144, kBaseline - 9}, ":");
+  for (size_t i = 0; i < 4; ++i) {
+    screen.digits[i].draw(painter, kStyle, {kX[i], kBaseline}, screen.progress);
   }
   return canvas.status();
+}
+
+// The digits of one time become those of another.
+static Status set(Screen& screen, uint32_t from, uint32_t to) {
+  constexpr uint32_t kMinutes[] = {600, 60, 10, 1};  // of a step of a digit
+  constexpr uint32_t kSteps[] = {10, 10, 6, 10};
+  for (size_t i = 0; i < 4; ++i) {
+    const Font& font = screen.font;
+    const uint16_t a =
+        font.glyph_or_notdef('0' + from / kMinutes[i] % kSteps[i]);
+    const uint16_t b = font.glyph_or_notdef('0' + to / kMinutes[i] % kSteps[i]);
+    // A pair that the font does not hold changes at once.
+    if (OutlineMorph::open(font, a, b, screen.digits[i]) != Status::ok) {
+      INKCELL_TRY(OutlineMorph::open(font, b, b, screen.digits[i]));
+    }
+  }
+  return Status::ok;
 }
 
 static Status run() {
@@ -72,31 +83,22 @@ static Status run() {
   INKCELL_TRY(init(display));
   Screen screen;
   INKCELL_TRY(Font::open(fonts::digits, screen.font));
+  if (OutlineMorph::workspace_bytes(screen.font) > sizeof points) {
+    return Status::buffer_small;
+  }
   StripLoop loop = loop_over(display, pixels);
   loop.context = &screen;
   loop.draw = draw;
-  INKCELL_TRY(run_strips(loop));
-
-  const Font& font = screen.font;
-  GlyphMorph morph(font, kStyle.size(), kStyle.filter(), kBox, grids);
-  screen.morph = &morph;
   uint32_t shown = read_minutes();
-  for (bool is_first = true;; is_first = false) {
+  INKCELL_TRY(set(screen, shown, shown));
+  INKCELL_TRY(run_strips(loop));
+  for (;;) {
     const uint32_t now = read_minutes();
-    for (screen.digit = 4; screen.digit-- > 0;) {
-      const uint16_t from = glyph_of(font, shown, screen.digit);
-      const uint16_t to = glyph_of(font, now, screen.digit);
-      if (from == to && !is_first) {
-        continue;
-      }
-      INKCELL_TRY(morph.set(from, to));
-      const int32_t x = kX[screen.digit];
-      for (int32_t frame = 1; frame <= kFrames; ++frame) {
-        morph.step(ease(kEaseInOut, fraction(0, kFrames, frame)), scratch);
-        INKCELL_TRY(
-            run_strips(loop, {x, kY, x + kBox.width, kY + kBox.height}));
-        wait_ms(nullptr, 20);
-      }
+    INKCELL_TRY(set(screen, shown, now));
+    for (int32_t i = 1; now != shown && i <= kFrames; ++i) {
+      screen.progress = ease(kEaseInOut, fraction(0, kFrames, i));
+      INKCELL_TRY(run_strips(loop, kDigits));
+      wait_ms(nullptr, 20);
     }
     shown = now;
     wait_ms(nullptr, 1000);

@@ -6,7 +6,8 @@
 //   tft.init()                      inkcell_st7789_init(&display)
 //   u8g2_SetFont(&u8g2, font)       inkcell_style_make(INKCELL_Q6(24), ...)
 //   u8g2_DrawUTF8(&u8g2, x, y, "A") inkcell_draw_text(), x and y in 1/64 px
-//   tft.fillRect(...), print(value) inkcell_run_strips() over the box
+//   tft.fillRect(...), print(value) inkcell_run_strips() over the box that
+//                                   inkcell_value_label_set() gives
 #include <fonts/room_c.h>
 #include <inkcell/inkcell.h>
 
@@ -29,7 +30,7 @@ typedef struct screen_t {
   inkcell_font_t font;
   inkcell_style_t label;
   inkcell_style_t large;
-  const char* value;
+  inkcell_value_label_t value;
 } screen_t;
 
 static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
@@ -43,9 +44,7 @@ static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
                     "\xEE\x80\x81 Living \xE5\xAE\xA2\xE5\x8E\x85",
                     INKCELL_TERMINATED, &screen->label, INKCELL_Q6(16),
                     INKCELL_Q6(48), &sink, NULL);
-  inkcell_draw_text(&screen->font, screen->value, INKCELL_TERMINATED,
-                    &screen->large, INKCELL_Q6(16), INKCELL_Q6(150), &sink,
-                    NULL);
+  inkcell_value_label_draw(&screen->value, &sink, NULL);
   return status;
 }
 
@@ -78,17 +77,18 @@ static inkcell_status_t run(void) {
                                      .display = &display,
                                      .flush = inkcell_st7789_write,
                                      .wait = inkcell_display_wait};
-  inkcell_rect_t changed = {0, 0, 240, 240};
+  inkcell_rect_t changed;
+  inkcell_value_label_init(&screen.value, &screen.font, &screen.large,
+                           INKCELL_Q6(16), INKCELL_Q6(150),
+                           INKCELL_ANCHOR_START);
+  inkcell_value_label_set(&screen.value, read_temperature(), INKCELL_TERMINATED,
+                          NULL, &changed);
+  TRY(inkcell_run_strips(&loop, NULL));
   for (;;) {
-    screen.value = read_temperature();
-    inkcell_rect_t box;
-    inkcell_text_pixels(&screen.font, screen.value, INKCELL_TERMINATED,
-                        &screen.large, INKCELL_Q6(16), INKCELL_Q6(150), &box);
-    inkcell_rect_t part;
-    inkcell_bounding_box(&changed, &box, &part);
-    TRY(inkcell_run_strips(&loop, &part));
-    changed = box;
     wait_ms(NULL, 1000);
+    inkcell_value_label_set(&screen.value, read_temperature(),
+                            INKCELL_TERMINATED, NULL, &changed);
+    TRY(inkcell_run_strips(&loop, &changed));
   }
 }
 

@@ -4,7 +4,8 @@
 #
 # inkcell_module.c says how it is used.
 get_filename_component(inkcell ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
-set(parts core core/cache core/field core/layout port/pixel port/display port/c)
+set(parts core core/cache core/field core/kinetic core/layout port/pixel
+  port/display port/c)
 add_library(usermod_inkcell INTERFACE)
 foreach(part ${parts})
   file(GLOB_RECURSE sources ${inkcell}/${part}/src/*.cpp)

@@ -68,8 +68,10 @@ struct LayoutOptions {
   Q26_6 tab_width;
 
   constexpr LayoutOptions() noexcept = default;
+  /// Refers to font and style, which must outlive it.
   constexpr LayoutOptions(const Font& font, const Style& style) noexcept
       : face{&font, &style} {}
+  LayoutOptions(const Font&, const Style&&) = delete;
 
   /// Orders mixed lines. Without it all text is read from left to right.
   void set_bidi(Bidi& bidi) noexcept {

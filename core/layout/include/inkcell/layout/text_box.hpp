@@ -61,6 +61,7 @@ struct TextBox {
   VerticalAlign vertical = VerticalAlign::top;
 
   constexpr TextBox() noexcept = default;
+  /// Refers to font and style, which must outlive it.
   constexpr TextBox(const Font& font,
                     const Style& style,
                     const Rect& box,
@@ -68,6 +69,7 @@ struct TextBox {
       : options(font, style), rect(box) {
     options.align = align;
   }
+  TextBox(const Font&, const Style&&, const Rect&, Align = {}) = delete;
 
   /// Finds the lines that are drawn. With an ellipsis these are no more than
   /// the box has room for, at least one; the last one then shows that there is

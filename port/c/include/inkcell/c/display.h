@@ -126,6 +126,7 @@ typedef struct INKCELL_SHARED inkcell_ssd1680_t {
 } inkcell_ssd1680_t;
 
 inkcell_status_t inkcell_ssd1680_init(const inkcell_ssd1680_t* display);
+
 /// Sends a strip to a plane: the next picture, or the one that the panel shows.
 /// As `flush`, to the next one.
 inkcell_status_t inkcell_ssd1680_write(void* display,
@@ -133,9 +134,11 @@ inkcell_status_t inkcell_ssd1680_write(void* display,
 inkcell_status_t inkcell_ssd1680_write_plane(const inkcell_ssd1680_t* display,
                                              const inkcell_strip_t* strip,
                                              uint8_t plane);
+
 /// Shows the next picture. Then send the same strips to INKCELL_PLANE_SHOWN.
 inkcell_status_t inkcell_ssd1680_refresh(const inkcell_ssd1680_t* display,
                                          uint8_t kind);
+
 /// Only a reset wakes it: inkcell_ssd1680_init().
 inkcell_status_t inkcell_ssd1680_sleep(const inkcell_ssd1680_t* display);
 #ifdef __cplusplus

@@ -28,12 +28,16 @@ typedef struct INKCELL_SHARED inkcell_filter_table_t {
 
 /// -0.5 to 0.5 px: right weight at text sizes.
 extern const inkcell_filter_t inkcell_filter_text;
+
 /// -0.6 to 0.625 px: calm, for type that moves.
 extern const inkcell_filter_t inkcell_filter_motion;
+
 /// -0.75 to 0.75 px, exponent 1.1: the paper's choice for display type.
 extern const inkcell_filter_t inkcell_filter_paper_display;
+
 /// -0.5 to 0.625 px, exponent 1.1: the paper's choice for body type.
 extern const inkcell_filter_t inkcell_filter_paper_body;
+
 /// Exact coverage, of outlines; fields take the ramp of a straight edge.
 extern const inkcell_filter_t inkcell_filter_area;
 

@@ -24,17 +24,18 @@ typedef struct INKCELL_SHARED inkcell_font_t {
 } inkcell_font_t;
 
 /// Measures of one glyph in font units, y up, origin on the baseline. The box
-/// is that of the ink; it is empty for a space.
+/// is that of the ink; it is empty for a space. x_min is the left bearing.
 typedef struct INKCELL_SHARED inkcell_glyph_metrics_t {
   int32_t advance;
-  int16_t x_min;  // left bearing
+  int16_t x_min;
   int16_t y_min;
   int16_t x_max;
   int16_t y_max;
 } inkcell_glyph_metrics_t;
 
 /// Measures of the font in font units, y up: the descender is negative. A line
-/// is ascender - descender + line_gap high.
+/// is ascender - descender + line_gap high. The box, x_min to y_max, is that of
+/// all ink.
 typedef struct INKCELL_SHARED inkcell_font_metrics_t {
   uint16_t units_per_em;
   int16_t ascender;
@@ -42,7 +43,7 @@ typedef struct INKCELL_SHARED inkcell_font_metrics_t {
   int16_t line_gap;
   int16_t x_height;
   int16_t cap_height;
-  int16_t x_min;  // box of all ink
+  int16_t x_min;
   int16_t y_min;
   int16_t x_max;
   int16_t y_max;
@@ -79,6 +80,7 @@ inkcell_status_t inkcell_font_open_field(const void* rom,
 inkcell_status_t inkcell_font_verify(const inkcell_font_t* font);
 
 uint16_t inkcell_font_glyph_count(const inkcell_font_t* font);
+
 /// Whether glyphs are outlines, and not cells.
 bool inkcell_font_has_outlines(const inkcell_font_t* font);
 void inkcell_font_metrics(const inkcell_font_t* font,

@@ -45,13 +45,16 @@ enum {
    : (format) == INKCELL_RGB888                                    ? 24 \
    : (format) == INKCELL_XRGB8888                                  ? 32 \
                                                                    : 8)
+
 /// The rows that one stride covers.
 #define INKCELL_ROWS_PER_STRIDE(format) ((format) == INKCELL_MONO_PAGES ? 8 : 1)
+
 /// The smallest stride [bytes] for `width` px: a row, or a page of 8 rows.
 #define INKCELL_STRIDE_BYTES(format, width) \
   ((format) == INKCELL_MONO_PAGES           \
        ? (width)                            \
        : ((width)*INKCELL_BITS_PER_PIXEL(format) + 7) / 8)
+
 /// The bytes of a strip with that stride.
 #define INKCELL_STRIP_BYTES(format, width, height)     \
   (INKCELL_STRIDE_BYTES(format, width) *               \
@@ -64,6 +67,7 @@ enum {
 
 /// Which end of a byte is the left pixel, in formats of several pixels a byte.
 enum { INKCELL_HIGH_LEFT = 0, INKCELL_LOW_LEFT = 1 };
+
 /// Which channel lies at the lowest address.
 enum { INKCELL_RED_FIRST = 0, INKCELL_BLUE_FIRST = 1 };
 

@@ -28,6 +28,7 @@ typedef struct INKCELL_SHARED inkcell_strip_t {
 /// The most coverages that one call of `coverage` brings.
 #define INKCELL_MAX_SPAN 32
 
+
 /// Takes what is drawn. One of your own needs a window, a context and the first
 /// two functions; the others are then null. Pixels outside `window` are never
 /// named; within a glyph no pixel comes twice. Glyphs may overlap: blend over

@@ -72,6 +72,15 @@ void inkcell_text_box_draw(const inkcell_text_box_t* box,
                            const inkcell_line_t* lines,
                            size_t line_count);
 
+/// The pixels that inkcell_text_box_draw() may touch; empty if nothing shows.
+void inkcell_text_box_pixels(const inkcell_text_box_t* box,
+                             const char* text,
+                             size_t size,
+                             const inkcell_line_t* lines,
+                             size_t line_count,
+                             inkcell_rect_t* out);
+
+/// The advances: a rectangle of that size cuts nothing.
 void inkcell_text_box_measure(const inkcell_text_box_t* box,
                               const char* text,
                               size_t size,

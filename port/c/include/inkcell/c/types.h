@@ -15,6 +15,7 @@ extern "C" {
 /// C: compilers must not assume that they are different memory.
 #define INKCELL_SHARED __attribute__((may_alias))
 
+
 /// Why a call failed. Values never change: they end up in field logs.
 typedef uint8_t inkcell_status_t;
 enum {
@@ -39,8 +40,10 @@ const char* inkcell_status_name(inkcell_status_t status);
 #define INKCELL_Q10(px) ((int16_t)((px)*1024))
 #define INKCELL_Q16(px) ((int32_t)((px)*65536))
 
+
 /// As the size of a text: it ends at its first zero byte.
 #define INKCELL_TERMINATED SIZE_MAX
+
 
 /// Pixels of the screen, x to the right and y down: x0 <= x < x1, y0 <= y < y1.
 /// Empty if x1 <= x0 or y1 <= y0.
