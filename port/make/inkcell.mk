@@ -1,7 +1,7 @@
-# Inkcell in a Makefile. Set INKCELL to its folder and include this file. Link
-# $(INKCELL_OBJECTS), which $(CXX) makes with your $(CXXFLAGS), with
-# -Wl,--gc-sections; compile your sources with $(INKCELL_INCLUDES). Objects keep
-# the folders of their sources, some of which have the same name.
+# Inkcell in a Makefile; port/make/example/Makefile is a whole one. Set INKCELL to its
+# folder and include this file. Link $(INKCELL_OBJECTS), which $(CXX) makes with your
+# $(CXXFLAGS), with -Wl,--gc-sections; compile your sources with $(INKCELL_INCLUDES).
+# Objects keep the folders of their sources, some of which have the same name.
 #
 #   INKCELL := inkcell
 #   include $(INKCELL)/port/make/inkcell.mk
@@ -10,19 +10,24 @@
 # The font is $(INKCELL_FONTS)/fonts/dejavu_sans.hpp; name it as a prerequisite of
 # the objects that include it. In C it is a source and a header:
 #
-#   $(eval $(call inkcell_c_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E))
+#   $(eval $(call inkcell_c_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E,U+B0))
 #
-# $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags.
+# $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags. Fonts
+# are made anew when their file or their options change.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
-# needs pixel), cache, field, kinetic, layout, stored, c (which needs cache, field,
-# layout and display). Set it before the include; by default it is pixel and
-# display.
+# needs pixel), cache, field, kinetic, layout, stored, c (which needs all but stored).
+# Set it before the include; by default it is pixel and display.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_LIBRARIES ?= pixel display
+INKCELL_KNOWN := pixel display cache field kinetic layout stored c
+ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
+  $(error INKCELL_LIBRARIES: there is no $(filter-out $(INKCELL_KNOWN),\
+    $(INKCELL_LIBRARIES)); there are $(INKCELL_KNOWN))
+endif
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache field layout display
+  override INKCELL_LIBRARIES += cache field kinetic layout display
 endif
 ifneq ($(filter display,$(INKCELL_LIBRARIES)),)
   override INKCELL_LIBRARIES += pixel
@@ -34,6 +39,9 @@ INKCELL_PARTS := $(sort \
   $(addprefix $(INKCELL)/port/,$(filter pixel display c,$(INKCELL_LIBRARIES))))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))
+ifeq ($(INKCELL_SOURCES),)
+  $(error INKCELL is $(INKCELL), where Inkcell is not)
+endif
 INKCELL_INCLUDES := -I$(INKCELL)/core/include \
   $(patsubst %,-I%/include,$(INKCELL_PARTS)) -I$(INKCELL_FONTS)
 INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
@@ -43,19 +51,30 @@ INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
 INKCELL_OBJECTS := $(patsubst $(INKCELL)/%.cpp,$(INKCELL_BUILD)/%.o,$(INKCELL_SOURCES))
 $(INKCELL_BUILD)/%.o: $(INKCELL)/%.cpp
 	mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(INKCELL_FLAGS) -c $< -o $@
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(INKCELL_FLAGS) -MMD -MP -c $< -o $@
+inkcell_goal := $(.DEFAULT_GOAL)
+-include $(INKCELL_OBJECTS:.o=.d)
+.DEFAULT_GOAL := $(inkcell_goal)
 
-# $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>)
-define inkcell_font
-$(INKCELL_FONTS)/fonts/$(1).hpp: $(2)
-	mkdir -p $$(@D)
-	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) --quiet --out=$$@
-endef
-
+# $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>). Make
+# takes what follows a comma in the arguments as more parameters.
+inkcell_comma := ,
+inkcell_options = $(strip $(3)$(foreach more,4 5 6 7 8 9,$(if $($(more)),$(inkcell_comma)$($(more)))))
+inkcell_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),hpp,)
 # The same as a source of C, whose array and size a header declares.
-define inkcell_c_font
-$(INKCELL_FONTS)/fonts/$(1).c: $(2)
-	mkdir -p $$(@D)
-	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) --quiet --out=$$@ --header=$$(@:.c=.h)
-$(INKCELL_FONTS)/fonts/$(1).h: $(INKCELL_FONTS)/fonts/$(1).c
+inkcell_c_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),c,--header=$$(@:.c=.h))
+
+# $(call inkcell_rule,<name>,<font file>,<arguments>,<suffix>,<more arguments>): rules
+# that do not become the default goal.
+define inkcell_rule
+inkcell_goal := $$(.DEFAULT_GOAL)
+$(INKCELL_FONTS)/fonts/$(1).$(4): $(2) $(INKCELL_FONTS)/fonts/$(1).options \
+    $(filter-out inkcell-fontgen,$(INKCELL_FONTGEN))
+	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) $(5) --quiet --out=$$@
+$(if $(5),$(INKCELL_FONTS)/fonts/$(1).h: $(INKCELL_FONTS)/fonts/$(1).c)
+$(INKCELL_FONTS)/fonts/$(1).options: inkcell_always
+	@mkdir -p $$(@D)
+	@echo '$(subst ','\'',$(3))' | cmp -s - $$@ || echo '$(subst ','\'',$(3))' > $$@
+.DEFAULT_GOAL := $$(inkcell_goal)
 endef
+.PHONY: inkcell_always

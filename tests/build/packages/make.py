@@ -1,45 +1,60 @@
-"""Make: port/make/inkcell.mk in a Makefile."""
-from packages.consumer import (COMPILE, CPU, FONT, FONT_OPTIONS, LIBRARIES, LINK,
-                               call, check_libraries, size_of, write_sources)
-from toolchains import ROOT
+"""Make: the whole Makefile of port/make/example, and port/make/inkcell.mk."""
+import shutil
 
-CXX = "arm-none-eabi-g++"
-MAKEFILE = """INKCELL := {root}
-INKCELL_FONTGEN := {fontgen}
-INKCELL_LIBRARIES := pixel layout
-CXX := {cxx}
-CXXFLAGS := {compile}
-include $(INKCELL)/port/make/inkcell.mk
+from packages.consumer import (CPU, FONT, FONT_OPTIONS, LIBRARIES, LINK, call,
+                               check_libraries, size_of, write_sources)
+from toolchains import ROOT, run
 
-app: build/main.o build/readme.o $(INKCELL_OBJECTS)
-	arm-none-eabi-gcc {link} $^ -o $@
-build/%.o: %.cpp
-	mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(INKCELL_FLAGS) -c $< -o $@
-$(eval $(call inkcell_font,dejavu_sans,{font},{options}))
-build/readme.o: $(INKCELL_FONTS)/fonts/dejavu_sans.hpp
-$(eval $(call inkcell_c_font,in_c,{font},{options}))
-list:
+# Beside the whole Makefile: fonts before any goal, and a comma in their options.
+OF_C = """include $(INKCELL)/port/make/inkcell.mk
+$(eval $(call inkcell_c_font,in_c,$(FONT),--chars=0x20-0x2F,U+B0 --quiet))
+list: $(INKCELL_FONTS)/fonts/in_c.c
 	echo $(INKCELL_SOURCES)
 """
+
+
+def stop(problem):
+    raise SystemExit(f"Make: {problem}\n0 passed, 1 failed")
 
 
 def build(work, _, fontgen):
     folder = work / "make"
     write_sources(folder)
-    (folder / "Makefile").write_text(MAKEFILE.format(
-        root=ROOT, cxx=CXX, fontgen=fontgen, font=FONT, link=" ".join(LINK),
-        compile=" ".join(COMPILE), options=" ".join(FONT_OPTIONS)))
-    call("make", "-C", folder, "-j2", "-s")
+    shutil.copy(ROOT / "port/make/example/Makefile", folder)
+    make = ["make", "-C", folder, "-j2", "-s", f"INKCELL={ROOT}",
+            f"INKCELL_FONTGEN={fontgen}", f"FONT={FONT}"]
+    app = [*make, "INKCELL_LIBRARIES=pixel layout", "SOURCES=main.cpp readme.cpp",
+           f"CPU={' '.join(CPU)}", f"START={' '.join(LINK)}", "LDFLAGS=",
+           "FONT_NAME=dejavu_sans"]
+    options = "FONT_OPTIONS=" + " ".join(FONT_OPTIONS)
+    call(*app, options)
     objects = list((folder / "build").rglob("*.o"))
     check_libraries("Make", objects, ["layout"])
     if any("/display/" in str(path) for path in objects):
-        raise SystemExit("Make: display is compiled, which nobody asks for\n"
-                         "0 passed, 1 failed")
-    call("make", "-C", folder, "-s", "build/inkcell_fonts/fonts/in_c.h")
-    call(CXX.replace("g++", "gcc"), *CPU, "-std=c99", "-c",
-         folder / "build/inkcell_fonts/fonts/in_c.c", "-o", folder / "in_c.o")
-    listed = call("make", "-C", folder, "-s", "list",
-                  "INKCELL_LIBRARIES=c kinetic stored").split()
+        stop("display is compiled, which nobody asks for")
+    font = folder / "build/inkcell_fonts/fonts/dejavu_sans.hpp"
+    times = []
+    for more in (options, options, options + " --max-px=24"):
+        call(*app, more, font.relative_to(folder))
+        times.append(font.stat().st_mtime_ns)
+    if times[0] != times[1] or times[1] == times[2]:
+        stop(f"the font is made anew, or is not, where its options change: {times}")
+    header = next(word for word in
+                  (folder / "build/inkcell/core/src/font/font.d").read_text().split()
+                  if word.endswith("inkcell/font.hpp"))
+    if "src/font/font.cpp" not in call(*app, options, "-n", "-W", header):
+        stop("objects do not depend on headers")
+    size = size_of(folder / "app.elf")
+
+    (folder / "of_c.mk").write_text(OF_C)
+    listed = call(*make, "-f", "of_c.mk", "INKCELL_LIBRARIES=c stored").split()
     check_libraries("Make", listed, LIBRARIES)
-    return {"make": size_of(folder / "app")}
+    fonts = folder / "build/inkcell_fonts/fonts"
+    if "U+B0 --quiet" not in (fonts / "in_c.options").read_text():
+        stop("options after a comma are lost")
+    call("arm-none-eabi-gcc", *CPU, "-std=c99", "-c", fonts / "in_c.c", "-o",
+         folder / "in_c.o")
+    said = run([*make, "INKCELL_LIBRARIES=layuot"])
+    if said.returncode == 0 or "there is no layuot" not in said.stdout:
+        stop(f"a library that is not there: {said.stdout}")
+    return {"make": size}
