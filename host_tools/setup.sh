@@ -5,6 +5,7 @@
 #   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
 #   inkcell_setup tests    # these, and what the tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
+#   inkcell_setup exe      # what builds the generator for Windows, and runs it
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #   inkcell_setup packages NAME...
@@ -38,6 +39,9 @@ inkcell_packages_tests="$inkcell_packages_windows
 inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zopfli
   libcli11-dev nlohmann-json3-dev fonts-dejavu-core"
 
+inkcell_packages_exe="cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64
+  dpkg-dev libcli11-dev nlohmann-json3-dev"
+
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
 # The packages of "$@" that are not installed.
@@ -54,11 +58,12 @@ inkcell_setup() {
     windows) inkcell_wanted=$inkcell_packages_windows ;;
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     web) inkcell_wanted=$inkcell_packages_web ;;
+    exe) inkcell_wanted=$inkcell_packages_exe ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|windows|tests|web|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|windows|tests|web|exe|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

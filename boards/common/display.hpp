@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/pixel.hpp"
+#include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
@@ -17,8 +18,9 @@ bool display_init(port::PixelFormat format) noexcept;
 
 /// Copies a strip in the display's format to its place on the screen, and
 /// returns when it has been sent. The strip must be on the screen; its left
-/// edge and width must be whole bytes, its top and height whole pages.
-void display_write(const Strip& strip) noexcept;
+/// edge and width must be whole bytes, its top and height whole pages: else the
+/// driver says bad_argument or buffer_small, and nothing changes.
+Status display_write(const Strip& strip) noexcept;
 
 }  // namespace board
 }  // namespace inkcell

@@ -105,8 +105,8 @@ bool display_init(port::PixelFormat format) noexcept {
   return format == port::PixelFormat::grey4;
 }
 
-void display_write(const Strip& strip) noexcept {
-  static_cast<void>(port::write(kDisplay, strip));
+Status display_write(const Strip& strip) noexcept {
+  return port::write(kDisplay, strip);
 }
 
 }  // namespace board

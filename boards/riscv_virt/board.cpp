@@ -114,8 +114,8 @@ bool display_init(port::PixelFormat format) noexcept {
          format == port::PixelFormat::rgb565;
 }
 
-void display_write(const Strip& strip) noexcept {
-  static_cast<void>(port::write(display, strip));
+Status display_write(const Strip& strip) noexcept {
+  return port::write(display, strip);
 }
 
 }  // namespace board

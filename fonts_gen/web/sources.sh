@@ -1,6 +1,6 @@
 #!/bin/sh
 # Fetches Debian's sources of the libraries that the generator needs, to compile
-# them to WebAssembly.
+# them for WebAssembly or Windows.
 #
 #   sh fonts_gen/web/sources.sh FOLDER
 #

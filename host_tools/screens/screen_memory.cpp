@@ -1,7 +1,6 @@
 #include "screen_memory.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <fstream>
 
 #include "canvas.hpp"
@@ -75,13 +74,11 @@ bool write_ppm(const std::string& name) {
 }
 
 // The board of the demo on the host: its display is memory.
-void inkcell::board::display_write(const Strip& strip) noexcept {
+Status inkcell::board::display_write(const Strip& strip) noexcept {
   const port::Framebuffer display = {{memory.data(), memory.size()},
                                      demo::kFormat,
                                      demo::kWidth,
                                      demo::kHeight,
                                      kStride};
-  if (port::write(display, strip) != Status::ok) {
-    std::abort();
-  }
+  return port::write(display, strip);
 }

@@ -24,6 +24,7 @@ import zlib
 
 # Seconds until a firmware must have drawn its first frame, on a busy machine.
 READY_TIMEOUT = 120
+RUNNER = pathlib.Path(__file__).resolve().parents[2] / "boards/common/qemu_run.sh"
 
 
 class Failure(Exception):
@@ -154,16 +155,22 @@ def shoot(screen, picture, frame, folder):
     program = pathlib.Path(
         screen["build"],
         f"boards/common/demo/{firmware(screen, picture)}.elf")
+    return run_and_shoot([screen["board"], program, f"frame={frame}"],
+                         screen["flags"], wait_until_ready, folder)
+
+
+def run_and_shoot(words, flags, wait, folder):
+    """The screen of qemu_run.sh with these words, and what `wait` returns, which
+    waits until there is something to see.
+    """
     monitor = f"{folder}/monitor"
-    flags = f"-qmp unix:{monitor},server=on,wait=off {screen['flags']}"
-    runner = pathlib.Path(screen["source"], "boards/common/qemu_run.sh")
+    flags = f"-qmp unix:{monitor},server=on,wait=off {flags}"
     with subprocess.Popen(
-            [runner, screen["board"], program, f"frame={frame}"],
-            env={**os.environ, "INKCELL_QEMU_FLAGS": flags},
+            [RUNNER, *words], env={**os.environ, "INKCELL_QEMU_FLAGS": flags},
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT) as process:
         try:
-            output = wait_until_ready(process)
+            output = wait(process)
             screendump(monitor, f"{folder}/shown.ppm")
             process.stdout.read()
             process.wait(60)

@@ -37,7 +37,7 @@ def read_arguments():
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("font", type=pathlib.Path, metavar="FONT.ttf",
                         help="font of the examples")
-    parser.add_argument("fontgen", type=pathlib.Path, metavar="FONTGEN",
+    parser.add_argument("fontgen", metavar="FONTGEN",
                         help="path of inkcell-fontgen")
     parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER",
                         help="folder to make, such as Inkcell; FOLDER.zip too")
@@ -74,6 +74,10 @@ def main():
     folder = arguments.folder
     if folder.exists():
         sys.exit(f"{folder} exists: remove it, or name another folder")
+    for path in (arguments.font, shutil.which(arguments.fontgen)):
+        if path is None or not pathlib.Path(path).is_file():
+            sys.exit(f"{path or arguments.fontgen}: no such file; FONTGEN is the path "
+                     "of inkcell-fontgen (docs/PORTING.md, \"Get the generator\")")
     folder.mkdir(parents=True)
     for source, target in FOLDERS.items():
         shutil.copytree(ROOT / source, folder / "src" / target,

@@ -99,6 +99,12 @@ def check_python(fontgen):
         problems.append(f"fonts are {codegen.fonts}, not {wanted}")
     if codegen.libraries != {("Inkcell", None, f"symlink://{ROOT}")}:
         problems.append(f"libraries are {codegen.libraries}")
+    if len(codegen.arrays) == 1:
+        made = pathlib.Path("made.bin").resolve()
+        made.write_bytes(bytes(codegen.arrays[0]))
+        if module["make_font"]("no-such-program", made, "0123") != made.read_bytes():
+            problems.append("a font that was made before is not taken")
+        made.unlink()
     try:
         asyncio.run(module["to_code"]({**fonts[0], "fontgen": "no-such-program"}))
         problems.append("a generator that is not there is no error")

@@ -1,10 +1,14 @@
 """Compiles the sources of the generator, folder by folder, with compilers beside the
 one of the build: the newest clang that is installed, and mingw-w64 for Windows,
-where threads are POSIX's. Without its libraries nothing is linked for Windows.
+where threads are POSIX's.
 
-mingw-w64 is no package that tests need: the test says whether it was there.
+Where INKCELL_WINDOWS_DIR names the folder of `sh fonts_gen/web/build.sh --windows`,
+its program is brought up to date and, if Wine is there, makes a font, whose bytes
+must be those of this machine's generator.
 
-Usage: check_generator.py WORK_FOLDER
+mingw-w64 and Wine are no packages that tests need: the test says what was there.
+
+Usage: check_generator.py WORK_FOLDER FONTGEN
 """
 import os
 import pathlib
@@ -21,6 +25,7 @@ HEADERS = ("CLI", "fribidi", "freetype2", "harfbuzz", "nlohmann", "png.h",
            "zconf.h", "zlib.h")
 PLACES = ("/usr/include", "/usr/include/x86_64-linux-gnu")
 MINGW = "x86_64-w64-mingw32-g++-posix"
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
 def newest_clang():
@@ -62,8 +67,38 @@ def check(name, command, source, includes):
         f"{name}, {source.stem}:\n{result.stdout[:2000]}")
 
 
+def check_windows(work, fontgen):
+    """Problems of the program for Windows, and how many checks there were."""
+    folder = os.environ.get("INKCELL_WINDOWS_DIR")
+    if folder is None:
+        print("for Windows: compiled, not linked: INKCELL_WINDOWS_DIR names no folder "
+              "of `sh fonts_gen/web/build.sh --windows`")
+        return [], 0
+    built = run(["cmake", "--build", pathlib.Path(folder) / "windows", "--target",
+                 "inkcell-fontgen"])
+    if built.returncode != 0:
+        return [built.stdout[-2000:]], 1
+    if shutil.which("wine") is None:
+        print("for Windows: linked, not run: there is no wine")
+        return [], 1
+    fonts = []
+    for name, command in (("windows", ["wine", pathlib.Path(folder) /
+                                       "windows/inkcell-fontgen.exe"]),
+                          ("here", [fontgen])):
+        said = run([*command, f"--font={FONT}", "--chars=0x20-0x7E", "--format=bin",
+                    "--quiet", f"--out={name}.bin"], cwd=work,
+                   env={**os.environ, "WINEDEBUG": "-all",
+                        "WINEPREFIX": str(work / "wine")})
+        if said.returncode != 0:
+            return [f"{name}: {said.stdout}"], 1
+        fonts.append((work / f"{name}.bin").read_bytes())
+    print(f"for Windows: linked, and by Wine it made a font of {len(fonts[0])} bytes")
+    return (["the font that was made for Windows differs"]
+            if fonts[0] != fonts[1] else []), 2
+
+
 def main():
-    work = pathlib.Path(sys.argv[1])
+    work, fontgen = (pathlib.Path(word).resolve() for word in sys.argv[1:])
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     require(["clang++"])
@@ -87,7 +122,8 @@ def main():
     jobs = [(name, command, source, own + libraries)
             for name, command in compilers.items() for source in sources]
     problems = [found for found in in_parallel(check, jobs) if found]
-    finish(len(jobs) - len(problems), problems)
+    more, count = check_windows(work, fontgen) if MINGW in compilers else ([], 0)
+    finish(len(jobs) + count - len(problems + more), problems + more)
 
 
 main()

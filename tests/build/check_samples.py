@@ -1,5 +1,5 @@
 """Runs the examples of ESP-IDF and Zephyr on the host, with headers that are
-played: the panel must show the picture of the whole screen.
+played: the panel must show the picture of the whole screen. So must boards/example.
 
 Where INKCELL_IDF_DIR names ESP-IDF's sources, its example is compiled with their
 headers for ESP32-S3, too; FreeRTOS stays played.
@@ -17,9 +17,14 @@ from toolchains import ROOT, finish, run
 FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 HERE = ROOT / "tests/build"
 SAMPLES = {"esp_idf": ROOT / "port/esp_idf/example/main",
-           "zephyr": ROOT / "port/zephyr/sample/src"}
-LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
-INCLUDES = [f"-I{ROOT / 'core/include'}", f"-I{ROOT / 'port/pixel/include'}"]
+           "zephyr": ROOT / "port/zephyr/sample/src",
+           "board": ROOT / "boards/example"}
+LIBRARIES = ["core/layout/libinkcell_layout.a",
+             "port/display/libinkcell_port_display.a",
+             "port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
+INCLUDES = [f"-I{ROOT / path}" for path in
+            ("core/include", "core/layout/include", "port/pixel/include",
+             "port/display/include", "boards/common")]
 
 
 def check_sample(name, work, build):
@@ -75,10 +80,11 @@ def main():
                             for word in sys.argv[1:])
     shutil.rmtree(work, ignore_errors=True)
     (work / "fonts").mkdir(parents=True)
-    made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E", "--name=room",
-                "--quiet", f"--out={work / 'fonts/room.hpp'}"])
-    if made.returncode != 0:
-        finish(0, [made.stdout])
+    for name in ("room", "sans"):
+        made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E", f"--name={name}",
+                    "--quiet", f"--out={work / f'fonts/{name}.hpp'}"])
+        if made.returncode != 0:
+            finish(0, [made.stdout])
     problems = check_zephyr()
     for name in SAMPLES:
         problems += check_sample(name, work, build)

@@ -69,6 +69,8 @@ struct Screen {
 
 Status make_screen(const Font& font, const Style& style, Screen& out) {
   out.box = TextBox(font, style, {4, 4, 124, 44}, Align::centre);
+  out.box.vertical = VerticalAlign::middle;
+  out.box.options.ellipsis = Ellipsis::end;
   return ScrollingLabel::make(out.box.options, "Now playing: a long title",
                               {0, 48, 128, 64}, out.glyphs, out.label);
 }

@@ -49,7 +49,7 @@ void show_pattern() noexcept {
   window.height = kWindowHeight;
   window.stride = port::stride_bytes(kFormat, kWindowWidth);
   draw_pattern(window, 255);
-  board::display_write(window);
+  static_cast<void>(board::display_write(window));
 }
 
 }  // namespace INKCELL_DEMO_NAME

@@ -24,8 +24,7 @@ void show(Status (*draw)(void*, const Strip&)) noexcept {
   loop.height = kHeight;
   loop.draw = draw;
   loop.flush = [](void*, const Strip& strip) {
-    board::display_write(strip);
-    return Status::ok;
+    return board::display_write(strip);
   };
   static_cast<void>(run_strips(loop));  // the buffer is made for it
 }

@@ -60,8 +60,7 @@ Status draw(void* context, const Strip& strip) {
 
 Status send(void* display, const Strip& strip) {
   static_cast<Values*>(display)->bytes_sent += strip.pixels.size;
-  board::display_write(strip);
-  return Status::ok;
+  return board::display_write(strip);
 }
 
 port::StripLoop make_loop() noexcept {

@@ -17,13 +17,7 @@
 #define PAPER INKCELL_RGB565_OF(11, 15, 22)
 #define BASELINE 155
 #define FRAMES 20  // of a change
-#define TRY(call)               \
-  do {                          \
-    status = (call);            \
-    if (status != INKCELL_OK) { \
-      return status;            \
-    }                           \
-  } while (0)
+#define TRY INKCELL_RETURN_ON_ERROR
 
 static const int32_t digit_x[] = {20, 82, 176, 238};
 static const inkcell_rect_t digits = {20, 81, 300, 159};
@@ -59,7 +53,6 @@ static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
 static inkcell_status_t set(screen_t* screen, uint32_t from, uint32_t to) {
   static const uint32_t minutes[] = {600, 60, 10, 1};  // of a step of a digit
   static const uint32_t steps[] = {10, 10, 6, 10};
-  inkcell_status_t status;
   for (int i = 0; i < 4; ++i) {
     uint16_t a;
     uint16_t b;
@@ -86,7 +79,6 @@ static inkcell_status_t run(void) {
                                  .rotation = INKCELL_ROTATE_QUARTER,
                                  .mirror_columns = true,  // as most modules
                                  .blue_first = true};
-  inkcell_status_t status;
   screen_t screen = {.progress_q16 = 0};
   TRY(inkcell_ili9341_init(&display));
   TRY(inkcell_font_open(digits_c, digits_c_size, &screen.font));

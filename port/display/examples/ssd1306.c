@@ -17,13 +17,7 @@
 #define WIDTH 128
 #define TOP 48  // of the line that scrolls
 #define GAP 24  // between its end and its beginning
-#define TRY(call)               \
-  do {                          \
-    status = (call);            \
-    if (status != INKCELL_OK) { \
-      return status;            \
-    }                           \
-  } while (0)
+#define TRY INKCELL_RETURN_ON_ERROR
 
 static uint8_t pixels[WIDTH * 64 / 8];
 static inkcell_positioned_glyph_t glyphs[64];  // of the line that scrolls
@@ -33,7 +27,6 @@ static inkcell_status_t run(void) {
   inkcell_ssd1306_t display = {
       .width = WIDTH, .height = 64, .charge_pump = true};
   inkcell_i2c_bus(&i2c, &display.bus);
-  inkcell_status_t status;
   TRY(inkcell_ssd1306_init(&display));
 
   inkcell_font_t font;

@@ -15,13 +15,7 @@
 
 #include "your_board.h"
 
-#define TRY(call)               \
-  do {                          \
-    status = (call);            \
-    if (status != INKCELL_OK) { \
-      return status;            \
-    }                           \
-  } while (0)
+#define TRY INKCELL_RETURN_ON_ERROR
 
 static uint8_t pixels[200 / 8 * 200];
 
@@ -64,7 +58,6 @@ static inkcell_status_t run(void) {
                                .controller = INKCELL_SSD1681,
                                .width = 200,
                                .height = 200};
-  inkcell_status_t status;
   screen_t screen;
   TRY(inkcell_font_open(paper_c, paper_c_size, &screen.font));
   TRY(inkcell_ssd1680_init(&display));

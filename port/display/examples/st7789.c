@@ -16,13 +16,7 @@
 #define INK INKCELL_RGB565_OF(255, 255, 255)
 #define PAPER INKCELL_RGB565_OF(0, 50, 90)
 #define STRIP INKCELL_STRIP_BYTES(INKCELL_RGB565, 240, 8)
-#define TRY(call)               \
-  do {                          \
-    status = (call);            \
-    if (status != INKCELL_OK) { \
-      return status;            \
-    }                           \
-  } while (0)
+#define TRY INKCELL_RETURN_ON_ERROR
 
 static uint32_t strips[2][STRIP / 4];
 
@@ -59,7 +53,6 @@ static inkcell_status_t run(void) {
       .width = 240,
       .height = 240,
       .inverted = true};  // as on most of these panels
-  inkcell_status_t status;
   screen_t screen;
   TRY(inkcell_st7789_init(&display));
   TRY(inkcell_font_open(room_c, room_c_size, &screen.font));

@@ -10,6 +10,7 @@
 const struct device chosen_zephyr_display = {0};
 static uint16_t panel[240 * 240], wanted[240 * 240];
 static int pixels_sent = 0;
+static display_pixel_format format = PIXEL_FORMAT_MONO01;
 
 bool device_is_ready(const struct device*) {
   return true;
@@ -17,6 +18,7 @@ bool device_is_ready(const struct device*) {
 void display_get_capabilities(const struct device*,
                               struct display_capabilities* out) {
   out->x_resolution = out->y_resolution = 240;
+  out->current_pixel_format = format;
 }
 int display_blanking_off(const struct device*) {
   return 0;
@@ -66,5 +68,9 @@ int32_t k_msleep(int32_t) {
 }
 
 int main() {
+  if (sample_main() != static_cast<int>(Status::unsupported)) {
+    return 2;  // a display of 1 bit is refused
+  }
+  format = PIXEL_FORMAT_RGB_565;
   return sample_main() - 1000;
 }

@@ -1,5 +1,6 @@
 // A label and a temperature on an ST7789 of 240 x 240 px, by esp_lcd: while one
 // strip is sent by DMA, the next is drawn, and only the box of a value is sent.
+#include <driver/spi_master.h>
 #include <esp_attr.h>
 #include <esp_lcd_panel_io.h>
 #include <esp_lcd_panel_ops.h>
@@ -7,6 +8,7 @@
 #include <freertos/FreeRTOS.h>
 #include <freertos/semphr.h>
 #include <freertos/task.h>
+#include <stdio.h>
 
 #include <fonts/room.hpp>
 #include <inkcell/inkcell.hpp>
@@ -119,4 +121,5 @@ extern "C" void app_main() {
     changed = box;
     vTaskDelay(pdMS_TO_TICKS(1000));
   }
+  printf("inkcell: status %d\n", static_cast<int>(status));
 }

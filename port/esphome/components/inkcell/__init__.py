@@ -21,7 +21,8 @@ r"""An external component of ESPHome: fonts of any size from one array.
 `id(large)` goes wherever a font of ESPHome does. Fonts of one file and the same
 glyphs share one array. `levels: 2` is for displays of two colours: text is fitted
 to the grid of pixels, and no colours are mixed. inkcell-fontgen is found in PATH,
-or named by `fontgen`.
+or named by `fontgen`. Where there is none, as on Home Assistant OS, `file` is a font
+that it made elsewhere by --format bin, `sans.bin`.
 """
 import pathlib
 import shutil
@@ -56,6 +57,8 @@ _arrays = {}  # by program, file and glyphs
 
 def make_font(fontgen, file, glyphs):
     """The bytes of a font."""
+    if pathlib.Path(file).suffix == ".bin":
+        return pathlib.Path(file).read_bytes()
     if shutil.which(fontgen) is None:
         raise cv.Invalid(f"there is no program {fontgen}: build Inkcell, and put "
                          "inkcell-fontgen into PATH or name it by `fontgen`")

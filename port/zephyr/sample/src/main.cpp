@@ -4,6 +4,7 @@
 #include <zephyr/device.h>
 #include <zephyr/drivers/display.h>
 #include <zephyr/kernel.h>
+#include <zephyr/sys/printk.h>
 #include <fonts/room.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/port/strip_loop.hpp>
@@ -53,6 +54,10 @@ static Status flush(void*, const Strip& strip) {
 static Status run() {
   struct display_capabilities panel;
   display_get_capabilities(display, &panel);
+  if (panel.current_pixel_format != PIXEL_FORMAT_RGB_565 &&
+      panel.current_pixel_format != PIXEL_FORMAT_BGR_565) {
+    return Status::unsupported;  // MONO01 of OLEDs: MonoPagesCanvas
+  }
   Screen screen;
   INKCELL_TRY(Font::open(fonts::room, screen.font));
   StripLoop loop;
@@ -78,5 +83,7 @@ int main() {
   if (!device_is_ready(display)) {
     return -1;
   }
-  return static_cast<int>(run());  // returns if something is wrong
+  const Status status = run();  // returns if something is wrong
+  printk("inkcell: status %d\n", static_cast<int>(status));
+  return static_cast<int>(status);
 }

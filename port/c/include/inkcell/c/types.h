@@ -32,6 +32,15 @@ enum {
   INKCELL_READ_FAILED = 10   // the storage of a font did not give its bytes
 };
 
+/// Evaluates a call once and returns its status unless that is INKCELL_OK.
+#define INKCELL_RETURN_ON_ERROR(call)            \
+  do {                                           \
+    const inkcell_status_t inkcell_try = (call); \
+    if (inkcell_try != INKCELL_OK) {             \
+      return inkcell_try;                        \
+    }                                            \
+  } while (0)
+
 /// The name of a status, such as "bad_magic", or "unknown". In ROM.
 const char* inkcell_status_name(inkcell_status_t status);
 

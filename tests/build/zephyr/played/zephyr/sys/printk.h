@@ -1,0 +1,6 @@
+// Likewise.
+#pragma once
+
+#include <stdio.h>
+
+#define printk printf
