@@ -31,8 +31,6 @@ mkdir -p docs/img
   --glyph e --side 400 --points docs/img/hints.png >/dev/null
 "$tools/inkcell-animate" clock --size 160x64 --every 2 --frames 60 \
   --out docs/img/clock.png
-"$tools/inkcell-animate" figure15 --size 128x80 --from 20 --every 6 \
-  --frames 22 --out docs/img/figure15.png
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cat >"$folder/editor.txt" <<END

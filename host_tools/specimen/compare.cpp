@@ -37,9 +37,10 @@ void print(const Image& ink, Image& image) {
 template <size_t kCount>
 Image compare(const Font& font,
               PeerFont& peers,
+              const std::string& sizes,
               const SheetLayout& layout,
               const Entries<kCount>& entries) {
-  Sheet sheet(font, layout);
+  Sheet sheet(font, sizes, layout);
   const auto add_peer = [&](const char* label, Peer peer) {
     sheet.add(label, 0xffffff, [&](Image& image) {
       Image ink(image.width, image.height);
@@ -93,12 +94,13 @@ Image compare_body(const Font& font, PeerFont& peers) {
                                {kText, 10, 3, 21},
                                {kText, 12, 3, 34},
                                {kText, 16, 3, 52}}};
-  return compare(font, peers, {164, 58, 3, 0, 164}, entries);
+  return compare(font, peers, "8, 10, 12 and 16", {164, 58, 3, 0, 164},
+                 entries);
 }
 
 Image compare_display(const Font& font, PeerFont& peers) {
   const Entries<2> entries = {{{"HPJE", 40, 4.3, 40}, {"g", 40, 112.3, 34}}};
-  return compare(font, peers, {140, 48, 3, 0, 140}, entries);
+  return compare(font, peers, "40", {140, 48, 3, 0, 140}, entries);
 }
 
 }  // namespace inkcell::tools

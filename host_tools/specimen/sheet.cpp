@@ -11,10 +11,10 @@ namespace inkcell::tools {
 namespace {
 
 constexpr int kGap = 8;  // [px]
-constexpr int kLabelHeight = 16;
-constexpr double kLabelPx = 11;
+constexpr int kLabelHeight = 20;
+constexpr double kLabelPx = 13;
 constexpr uint32_t kPaper = 0xffffff;
-constexpr uint32_t kLabel = 0x606060;
+constexpr uint32_t kLabel = 0x303030;
 
 Image cut(const Image& image, int x, int width) {
   Image part(width, image.height, 3);
@@ -71,8 +71,13 @@ void write_text(const Font& font,
                          {line.glyphs.data(), line.glyphs.size()});
 }
 
-Sheet::Sheet(const Font& font, const SheetLayout& layout)
-    : font_(font), layout_(layout) {}
+Sheet::Sheet(const Font& font,
+             const std::string& sizes,
+             const SheetLayout& layout)
+    : font_(font), sizes_(sizes), layout_(layout) {}
+
+Sheet::Sheet(const Font& font, double px, const SheetLayout& layout)
+    : Sheet(font, std::to_string(static_cast<int>(px)), layout) {}
 
 void Sheet::add(const std::string& label,
                 uint32_t ground,
@@ -89,7 +94,8 @@ Image Sheet::finish() const {
   const int zoomed = layout_.zoomed_width * layout_.zoom;
   const int column = 2 * kGap + layout_.width + zoomed;
   const auto columns = static_cast<size_t>(layout_.columns);
-  std::vector<int> tops = {kGap};  // of rows, and the end of the last
+  // Of rows, and the end of the last.
+  std::vector<int> tops = {kGap + kLabelHeight};
   for (size_t i = 0; i < samples_.size(); i += columns) {
     int height = 0;
     for (size_t j = i; j < std::min(i + columns, samples_.size()); ++j) {
@@ -100,6 +106,11 @@ Image Sheet::finish() const {
   Image sheet =
       colour_image(kGap + layout_.columns * column, tops.back(), kPaper);
   const Style style = make_style(kLabelPx, 0, kFilterText);
+  const Span<const char> name = font_.name();
+  write_text(font_,
+             std::string(name.data, name.size) + ", " + sizes_ +
+                 " px, and enlarged " + std::to_string(layout_.zoom) + " times",
+             style, kGap, kGap + kLabelPx, 0, sheet);
   for (size_t i = 0; i < samples_.size(); ++i) {
     const int x = kGap + static_cast<int>(i % columns) * column;
     const int y = tops[i / columns];

@@ -25,8 +25,10 @@ struct SheetLayout {
 
 class Sheet {
  public:
-  /// Labels are written in `font`, which must outlive the sheet.
-  Sheet(const Font& font, const SheetLayout& layout);
+  /// The title names the font, the sizes [px] and the zoom. It and the labels
+  /// are written in `font`, which must outlive the sheet.
+  Sheet(const Font& font, const std::string& sizes, const SheetLayout& layout);
+  Sheet(const Font& font, double px, const SheetLayout& layout);
 
   /// Adds a sample: `draw` gets a picture of three channels, filled with
   /// `ground` (0xRRGGBB), `height` px high unless that is 0.
@@ -39,6 +41,7 @@ class Sheet {
 
  private:
   const Font& font_;
+  std::string sizes_;
   SheetLayout layout_;
   std::vector<std::string> labels_;
   std::vector<Image> samples_;

@@ -88,7 +88,12 @@ Image draw_sizes(const Font& font, int width) {
   Image image(width, static_cast<int>(std::ceil(height)));
   double y = kMargin;
   for (const double px : kSizes) {
-    put(font, text, px, 0, kMargin, y + px * em.ascent, image);
+    const double baseline = y + px * em.ascent;
+    put(font, text, px, 0, kMargin, baseline, image);
+    const int tenths = static_cast<int>(10 * px);
+    const std::string half = tenths % 10 == 0 ? " px" : ".5 px";
+    put(font, std::to_string(tenths / 10) + half, 10, 0,
+        2 * kMargin + width_of(font, text, px), baseline, image);
     y += px * em.line;
   }
   // The fan is in the upper right corner, where the lines are short.

@@ -1,10 +1,8 @@
 // Sheets of styles.
 #include "styles.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "canvas.hpp"
 #include "inkcell/bilevel.hpp"
@@ -12,8 +10,6 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/painter.hpp"
-#include "inkcell/port/dither.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
 #include "sheet.hpp"
@@ -67,45 +63,11 @@ struct Sample {
   }
 };
 
-// Large text over its shadow: the text bilevel, the shadow dithered.
-void draw_shadow_in_1_bit(const Font& font, Image& image) {
-  constexpr double kPx = 26;
-  const int stride = (image.width + 7) / 8;
-  std::vector<uint8_t> bits(static_cast<size_t>(stride * image.height));
-  Strip strip;
-  strip.pixels = {bits.data(), bits.size()};
-  strip.width = image.width;
-  strip.height = image.height;
-  strip.stride = stride;
-  const port::MonoRowsCanvas plain(strip);
-  port::MonoRowsCanvas dithered(strip);
-  port::set_dither(dithered);
-  if (plain.status() != Status::ok) {
-    throw std::runtime_error("the sample is too large to draw into");
-  }
-  // Half full in the middle of a stroke.
-  const Filter shadow = make_filter(spec_of(-1.25, 3.5));
-  Painter(dithered).text(font, make_style(kPx, 0, shadow),
-                         make_point(7.5, 28.5), "Sphinx");
-  const Bilevel bilevel;
-  Style style = make_style(kPx, 0, kFilterText);
-  style.set_effect(bilevel);
-  Painter(plain).text(font, style, make_point(4, 25), "Sphinx");
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const int byte = bits[static_cast<size_t>(y * stride + x / 8)];
-      const auto level =
-          static_cast<uint8_t>((byte >> (7 - x % 8) & 1) != 0 ? 0 : 255);
-      std::fill_n(image.at(x, y), 3, level);
-    }
-  }
-}
-
 }  // namespace
 
 Image draw_filters(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 14, 4, 15};
-  Sheet sheet(font, {180, 20, 4, 3, 96});
+  Sheet sheet(font, sample.px, {180, 20, 3, 0, 180});
   const auto add = [&](const char* label, const Filter& filter,
                        bool dark = false) {
     sheet.add(label, dark ? kBlack : kWhite, [&](Image& image) {
@@ -138,7 +100,7 @@ Image draw_filters(const Font& font) {
 
 Image draw_lcd(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 13, 4, 14.3};
-  Sheet sheet(font, {180, 19, 5, 3, 84});
+  Sheet sheet(font, sample.px, {180, 19, 3, 0, 180});
   const auto add = [&](const char* label, const Lcd* lcd, uint32_t ground,
                        uint32_t colour) {
     sheet.add(label, ground, [&](Image& image) {
@@ -155,7 +117,7 @@ Image draw_lcd(const Font& font) {
   lcd.order = SubPixels::bgr;
   add("bgr", &lcd, kWhite, kBlack);
   lcd.order = SubPixels::rgb_vertical;
-  add("rgb, stripes on each other", &lcd, kWhite, kBlack);
+  add("rgb, horizontal stripes", &lcd, kWhite, kBlack);
   lcd.order = SubPixels::rgb;
   lcd.colour = 128;
   add("rgb, half of the colour", &lcd, kWhite, kBlack);
@@ -168,7 +130,7 @@ Image draw_lcd(const Font& font) {
 Image draw_effects(const Font& font) {
   constexpr double kPx = 32;
   const Sample sample = {font, "Effects", kPx, 8, 34};
-  Sheet sheet(font, {136, 46, 3, 4, 74, 2});
+  Sheet sheet(font, kPx, {136, 46, 2, 0, 136, 2});
   const auto add_outline = [&](const char* label, StrokePlace place,
                                double width) {
     const Stroke stroke(kFilterText, to_q10(width), place);
@@ -215,7 +177,7 @@ Image draw_fitting(const Font& font) {
         "inkcell-fontgen --coding outline");
   }
   const Sample sample = {font, "Eggs, ham & 38 buns", kPx, 4.3, 13.4};
-  Sheet sheet(font, {128, 18, 6, 3, 92});
+  Sheet sheet(font, kPx, {128, 18, 6, 3, 92});
   // `options` may be null.
   const auto add = [&](const char* label, const FitOptions* options,
                        bool is_bilevel) {
@@ -250,7 +212,7 @@ Image draw_fitting(const Font& font) {
 Image draw_contrast(const Font& font) {
   constexpr double kPx = 12;
   const Sample sample = {font, "Hamburg at noon", kPx, 4.3, 13.4};
-  Sheet sheet(font, {128, 18, 6, 3, 92});
+  Sheet sheet(font, kPx, {128, 18, 6, 3, 92});
   const auto add = [&](const char* label, const EdgeContrast& edge_contrast) {
     sheet.add(label, kWhite, [&](Image& image) {
       Style style = make_style(kPx, 0, kFilterText);
@@ -268,7 +230,7 @@ Image draw_contrast(const Font& font) {
 
 Image draw_maps(const Font& font) {
   constexpr double kPx = 24;
-  Sheet sheet(font, {112, 50, 5, 0, 112});
+  Sheet sheet(font, kPx, {112, 50, 5, 0, 112});
   // The axes of the glyphs [em], and the origin [px].
   struct Map {
     const char* label;
@@ -282,8 +244,8 @@ Image draw_maps(const Font& font) {
   const Map maps[] = {
       {"upright", 1, 0, 0, 1, 6, 34},
       {"leaning by 1/5", 1, 0, 0.2, 1, 6, 34},
-      {"narrow", 0.7, 0, 0, 1, 6, 34},
-      {"wide", 1.2, 0, 0, 1, 6, 34},
+      {"narrow: 0.7 of the width", 0.7, 0, 0, 1, 6, 34},
+      {"wide: 1.2 of the width", 1.2, 0, 0, 1, 6, 34},
       {"mirrored", -1, 0, 0, 1, 90, 34},
       {"turned by 10 degrees", 0.9848, 0.1736, -0.1736, 0.9848, 8, 40}};
   for (const Map& map : maps) {
@@ -303,7 +265,7 @@ Image draw_maps(const Font& font) {
 Image draw_motion(const Font& font) {
   constexpr double kPx = 24;
   const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};
-  Sheet sheet(font, {160, 36, 4, 4, 130});
+  Sheet sheet(font, kPx, {160, 36, 4, 0, 160});
   const auto add = [&](const char* label, double right, double down) {
     const MotionBlur blur(make_point(right, down));
     sheet.add(label, kWhite, [&](Image& image) {
@@ -322,7 +284,7 @@ Image draw_motion(const Font& font) {
 
 Image draw_levels(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 11, 4, 12.4};
-  Sheet sheet(font, {152, 17, 5, 3, 84});
+  Sheet sheet(font, sample.px, {152, 17, 4, 0, 152});
   const auto add = [&](const char* label, const Bilevel* bilevel,
                        uint8_t threshold) {
     sheet.add(label, kWhite, [&](Image& image) {
@@ -344,9 +306,6 @@ Image draw_levels(const Font& font) {
   add("1 bit, bilevel, bolder by 0.15 px", &bilevel, 0);
   bilevel = Bilevel(4);
   add("2 bits, bilevel", &bilevel, 0);
-  sheet.add(
-      "1 bit, over a dithered shadow", kWhite,
-      [&](Image& image) { draw_shadow_in_1_bit(font, image); }, 36);
   return sheet.finish();
 }
 
