@@ -204,12 +204,19 @@ function(inkcell_add_font target)
     SVG_BASELINE)
   set(several
     CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
-  cmake_parse_arguments(
-    PARSE_ARGV 1 arg "BEST_EFFORT;STRICT;NO_LAYOUT_GLYPHS" "${single}" "${several}")
-  if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
+  set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "${flags}" "${single}" "${several}")
+  # A word that stands where characters do is a misspelt option.
+  set(words ${arg_CHARS})
+  list(FILTER words INCLUDE REGEX "^[A-Z][A-Z_]+$")
+  string(JOIN " " words
+    ${arg_UNPARSED_ARGUMENTS} ${words} ${arg_KEYWORDS_MISSING_VALUES})
+  if(NOT "${words}" STREQUAL "")
+    string(JOIN " " options ${single} ${several} ${flags})
     message(FATAL_ERROR
-      "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
-      "not understood: ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES}")
+      "inkcell_add_font(<target> FONT <file> ...): not understood: ${words}. The "
+      "options are ${options}; the head of ${CMAKE_CURRENT_FUNCTION_LIST_FILE} "
+      "explains them")
   endif()
   if(NOT TARGET "${target}")
     message(FATAL_ERROR

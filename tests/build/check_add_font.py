@@ -22,6 +22,8 @@ CASES = [
      "PREDICATE fixed is for CODING field"),
     (f"app {FONT} CODING", "not understood: CODING"),
     (f"app {FONT} COLOUR red", "not understood: COLOUR"),
+    (f"app {FONT} CHARS A MAXPX 30", "not understood: MAXPX"),
+    (f"app {FONT} CHARACTERS A", "The options are FONT NAME SYMBOLS MIN_PX MAX_PX"),
     (f"app OFF {FONT}", "not understood: OFF"),
     (f"app {FONT} CODING outline", "there is no font file"),
     (f"app {FONT} CODING field PREDICATE fixed", "there is no font file"),
