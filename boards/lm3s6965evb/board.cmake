@@ -1,11 +1,12 @@
-# The start-up code of this board, its counter (SysTick at 12.5 MHz, 24 bits)
-# and its display.
+# The start-up code of this board, its counter (SysTick at 12.5 MHz, 24 bits),
+# its display, and that it has a card.
 set(INKCELL_BOARD_START start_cortex_m.cpp)
 set(INKCELL_COUNTER_PICOSECONDS 80000)
 set(INKCELL_COUNTER_BITS 24)
 set(INKCELL_DISPLAY_WIDTH 128)
 set(INKCELL_DISPLAY_HEIGHT 64)
 set(INKCELL_DISPLAY_FORMATS grey4)
+set(INKCELL_CARD ON)
 
 # The demo: rows of a strip, sizes, and the coding of its font.
 set(INKCELL_DEMO_ROWS 8)

@@ -14,6 +14,7 @@ import json
 import os
 import pathlib
 import select
+import shutil
 import socket
 import struct
 import subprocess
@@ -86,7 +87,7 @@ def compare(shown, expected):
 
 def firmware(screen, picture):
     """The name of the program that shows a picture on a board."""
-    name = {"scene": "demo", "pattern": "pattern"}.get(
+    name = {"scene": "demo", "pattern": "pattern", "page": "page"}.get(
         picture, f"motion_{picture}")
     return f"{name}_{screen['format']}"
 
@@ -150,13 +151,26 @@ def screendump(monitor_path, path):
         command("quit")
 
 
+def insert_card(screen, folder):
+    """QEMU's options for a card that holds the font of pages."""
+    card = f"{folder}/card.img"
+    shutil.copy(screen["page"][2], card)
+    # QEMU wants a power of two.
+    size = max(os.path.getsize(card), 1 << 20)
+    os.truncate(card, 1 << (size - 1).bit_length())
+    return f"-drive if=sd,format=raw,file={card}"
+
+
 def shoot(screen, picture, frame, folder):
     """Runs the firmware in QEMU; returns its screen and its console output."""
     program = pathlib.Path(
         screen["build"],
         f"boards/common/demo/{firmware(screen, picture)}.elf")
-    return run_and_shoot([screen["board"], program, f"frame={frame}"],
-                         screen["flags"], wait_until_ready, folder)
+    flags = screen["flags"]
+    if picture == "page":
+        flags += " " + insert_card(screen, folder)
+    return run_and_shoot([screen["board"], program, f"frame={frame}"], flags,
+                         wait_until_ready, folder)
 
 
 def run_and_shoot(words, flags, wait, folder):
@@ -184,6 +198,8 @@ def render(screen, picture, frame, folder):
     path = f"{folder}/expected.ppm"
     if picture in screen["motion_hosts"]:
         command = [screen["motion_hosts"][picture], str(frame)]
+    elif picture == "page":
+        command = [*screen["page"][:2], str(frame)]
     else:
         frames = [str(frame)] if picture == "scene" else []
         command = [screen["host"], picture, *frames]
@@ -211,6 +227,12 @@ def check(screen, picture, frame, save):
     return True
 
 
+def pictures(screen):
+    """The names of the pictures that a display shows."""
+    return ["scene", *screen["motion_hosts"], *(["page"] * bool(screen["page"])),
+            "pattern"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("list", type=pathlib.Path,
@@ -218,7 +240,7 @@ def main():
     parser.add_argument("--board", help="only this one")
     parser.add_argument("--format", help="only displays of this format")
     parser.add_argument("--picture",
-                        help="scene, pattern, or a scene that moves")
+                        help="scene, pattern, page, or a scene that moves")
     parser.add_argument("--frame", type=int, action="append",
                         help="of the scene; may be repeated [0]")
     parser.add_argument("--save", type=pathlib.Path, metavar="DIR",
@@ -234,12 +256,12 @@ def main():
     if not screens:
         parser.error("there is no such display")
     wanted = [(screen, picture) for screen in screens
-              for picture in ["scene", *screen["motion_hosts"], "pattern"]
+              for picture in pictures(screen)
               if options.picture in (None, picture)]
     if not wanted:
-        parser.error(f"--picture {options.picture}: there are scene, pattern, "
-                     + ", ".join(sorted({scene for screen in screens
-                                         for scene in screen["motion_hosts"]})))
+        parser.error(f"--picture {options.picture}: there are " + ", ".join(
+            sorted({picture for screen in screens
+                    for picture in pictures(screen)})))
     if not options.no_build:
         builds = {}
         for screen, picture in wanted:

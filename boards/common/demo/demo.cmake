@@ -135,3 +135,15 @@ function(inkcell_add_motions name board format scenes)
   target_compile_options(${name}_motion_values PRIVATE ${INKCELL_WARNINGS})
   set(${scenes} ${INKCELL_DEMO_MOTIONS} values PARENT_SCOPE)
 endfunction()
+
+# inkcell_add_page(<name>)
+#
+# <name>_page: pages of Chinese, on what <name>_pattern draws on. Their font is
+# no part of it.
+function(inkcell_add_page name)
+  add_library(${name}_page STATIC ${INKCELL_DEMO_DIR}/page.cpp)
+  target_link_libraries(${name}_page
+    PUBLIC ${name}_pattern
+    PRIVATE inkcell::layout)
+  target_compile_options(${name}_page PRIVATE ${INKCELL_WARNINGS})
+endfunction()

@@ -1,0 +1,27 @@
+// Pages of Chinese, from a font in any memory: on a board from its card, and on
+// the host from a file. Both show the same.
+#pragma once
+
+#include <stdint.h>
+
+#include "canvas.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+namespace demo {
+inline namespace INKCELL_DEMO_NAME {
+
+/// How many pages there are; the numbers of others are taken modulo this.
+inline constexpr uint32_t kPages = 3;
+
+/// Draws a page and passes it on to board::display_write(). Lines are laid out
+/// and drawn one by one, so that a stored font still has a line's glyphs.
+///
+/// no_glyph: the font lacks characters, and .notdef stands there. Others: as
+/// Fit::make(); nothing is shown.
+Status show_page(const Font& font, uint32_t page) noexcept;
+
+}  // namespace INKCELL_DEMO_NAME
+}  // namespace demo
+}  // namespace inkcell
