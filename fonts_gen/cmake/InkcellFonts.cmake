@@ -4,7 +4,7 @@
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
 #     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
-#     [STRINGS_FROM <C or C++ file, or src/**/*.c>...]
+#     [STRINGS_FROM <C or C++ file, translation, or src/**/*.c>...]
 #     [STRINGS <file of strings>...] [STRICT]
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
@@ -22,7 +22,7 @@
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>, and
 # strings as fonts::<NAME>_strings::<string>; with LANGUAGE C they find <NAME>,
-# <NAME>_size and <NAME>_strings_<string> in <fonts/NAME.h>. A source that is new
+# <NAME>_size and <NAME>_strings_<string> in <fonts/NAME.h>. A file that is new
 # below a pattern of STRINGS_FROM counts when the font is made next.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 # CODING says what glyphs are made of:

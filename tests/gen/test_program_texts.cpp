@@ -69,6 +69,49 @@ TEST_F(ProgramTexts, TakesCharactersOfSources) {
   EXPECT_EQ(report().at("characters"), 2);
 }
 
+TEST_F(ProgramTexts, SaysWhatLanguagesCost) {
+  write("po/de.po", "msgid \"x\"\nmsgstr \"Aä\"\n");
+  write("po/pl.po",
+        "msgid \"x\"\nmsgstr \"Ał\"\n\nmsgid \"y\"\n"
+        "msgstr \"B中\"\n");
+  write("a.c", "f(\"B\");\n");
+  const Outcome result =
+      run(folder_, kSans + std::string("--strings-from 'po/*.po' a.c "
+                                       "--out a.bin --report a.json"));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const nlohmann::json json = report();
+  const auto bytes = [&json](const std::string& glyphs) {
+    size_t sum = 0;
+    for (const char c : glyphs) {
+      const std::string key = c == 'a'   ? "ä"
+                              : c == 'l' ? "ł"
+                                         : std::string(1, c);
+      sum += json.at("bytes_per_glyph").at(key).get<size_t>();
+    }
+    return sum;
+  };
+  const nlohmann::json expected = {{"de",
+                                    {{"characters", "Aä"},
+                                     {"missing", 0},
+                                     {"bytes", bytes("Aa")},
+                                     {"bytes_alone", bytes("a")}}},
+                                   {"pl",
+                                    {{"characters", "ABł中"},
+                                     {"missing", 1},
+                                     {"bytes", bytes("ABl")},
+                                     {"bytes_alone", bytes("l")}}}};
+  EXPECT_EQ(json.at("languages"), expected);
+  EXPECT_NE(result.out.find("language        de: 2 characters, " +
+                            std::to_string(bytes("Aa")) + " bytes of glyphs, " +
+                            std::to_string(bytes("a")) + " for it alone\n"),
+            std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("for it alone; 1 missing\n"), std::string::npos);
+  check_refused(kSans + std::string("--strings-from 'po/*.po' --out b.bin "
+                                    "--strict"),
+                "  po/pl.po:5: U+4E2D '中'\n");
+}
+
 TEST_F(ProgramTexts, TakesTheGlyphsOfStringsAlone) {
   write("ui.txt", "fi = fi\nlam_alef [ar] = \u0644\u0627\n");
   ASSERT_EQ(run(folder_, kSans + std::string("--strings ui.txt --name ui "
@@ -149,6 +192,7 @@ TEST_F(ProgramTexts, RefusesWhatCannotBe) {
   write("lost.txt", "a = \u4e2d\n");
   write("latin.c", "f(\"\xfc\");");
   write("number.c", "int a;");
+  write("a.json", "{");
   const std::string out = "--font plain.ttf --out a.hpp ";
   check_refused(out + "--strings none.txt",
                 "none.txt: cannot be read; check the --strings");
@@ -165,6 +209,7 @@ TEST_F(ProgramTexts, RefusesWhatCannotBe) {
   check_refused(out + "--strings-from latin.c",
                 "latin.c:1: the string is not UTF-8");
   check_refused(out + "--strings-from number.c", "no characters asked for");
+  check_refused(out + "--strings-from a.json", "a.json:1: the JSON is wrong");
   check_refused(out + "--header a.h", "--header is for --format c");
   check_refused("--font plain.ttf --out a.c --header ./a.c",
                 "would be written twice");

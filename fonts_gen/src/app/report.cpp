@@ -106,6 +106,14 @@ std::string sizes_lines(const FontReport& report) {
   return px + "\n" + worst + "\n" + mean + "\n";
 }
 
+std::string to_text(const CharSet& characters) {
+  std::string text;
+  for (const char32_t c : characters) {
+    text += to_utf8(c);
+  }
+  return text;
+}
+
 nlohmann::ordered_json face_as_json(const SourceFace& face) {
   nlohmann::ordered_json json;
   json["file"] = face.file_name;
@@ -153,6 +161,14 @@ std::string report_for_people(const FontReport& report) {
       text += describe(c) + ", ";
     }
     text += format("%zu bytes of glyphs\n", report.added_bytes);
+  }
+  for (const LanguageReport& language : report.languages) {
+    text += format("  %-16s", "language") + language.language +
+            format(": %zu characters, %zu bytes of glyphs, %zu for it alone",
+                   language.characters.size(), language.bytes,
+                   language.bytes_alone);
+    text += language.missing == 0 ? "\n"
+                                  : format("; %zu missing\n", language.missing);
   }
   for (const SourceFace& face : report.faces) {
     if (!face.variation.axes.empty()) {
@@ -216,11 +232,16 @@ std::string report_as_json(const FontReport& report) {
   json["characters"] = report.characters;
   json["missing"] = report.missing.size();
   if (!report.added.empty()) {
-    std::string added;
-    for (const char32_t c : report.added) {
-      added += to_utf8(c);
-    }
-    json["added"] = {{"characters", added}, {"bytes", report.added_bytes}};
+    const CharSet added(report.added.begin(), report.added.end());
+    json["added"] = {{"characters", to_text(added)},
+                     {"bytes", report.added_bytes}};
+  }
+  for (const LanguageReport& language : report.languages) {
+    json["languages"][language.language] = {
+        {"characters", to_text(language.characters)},
+        {"missing", language.missing},
+        {"bytes", language.bytes},
+        {"bytes_alone", language.bytes_alone}};
   }
   for (const SourceFace& face : report.faces) {
     json["faces"].push_back(face_as_json(face));
@@ -247,8 +268,8 @@ std::string report_as_json(const FontReport& report) {
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
-                   {"morphs", bytes.morphs},
-                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
+                   {"morphs", bytes.morphs},   {"glyphs", bytes.glyphs},
+                   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;
   json["composite_bytes"] = report.composite_bytes;

@@ -140,6 +140,39 @@ FontReport make_report(const SourceFont& font,
   return report;
 }
 
+std::vector<LanguageReport> report_languages(const SourceFont& font,
+                                             const AskedCharacters& asked,
+                                             const FontReport& report) {
+  std::vector<LanguageReport> reports;
+  for (const auto& [language, characters] : asked.languages) {
+    reports.push_back({language, characters});
+    for (const char32_t c : font.missing) {
+      reports.back().missing += characters.count(c);
+    }
+  }
+  for (size_t i = 0; i < font.glyphs.size(); ++i) {
+    bool is_common = false;
+    std::vector<LanguageReport*> users;
+    for (const char32_t c : font.glyphs[i].code_points) {
+      is_common =
+          is_common || asked.common.count(c) != 0 || font.added.count(c) != 0;
+      for (LanguageReport& language : reports) {
+        const bool is_new =
+            std::find(users.begin(), users.end(), &language) == users.end();
+        if (is_new && language.characters.count(c) != 0) {
+          users.push_back(&language);
+        }
+      }
+    }
+    for (LanguageReport* language : users) {
+      const size_t bytes = report.glyphs[i].bytes;
+      language->bytes += bytes;
+      language->bytes_alone += is_common || users.size() > 1 ? 0 : bytes;
+    }
+  }
+  return reports;
+}
+
 void tell_of_errors(const FontReport& report,
                     bool tolerance_is_limit,
                     Warnings& warnings) {

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "judge/closed_loop.hpp"
+#include "pipeline/request.hpp"
 #include "rom/rom_content.hpp"
 #include "rom/rom_font.hpp"
 #include "source/font_source.hpp"
@@ -35,6 +36,15 @@ struct GlyphReport {
   bool within_tolerance = true;
 };
 
+/// What the characters of a language cost.
+struct LanguageReport {
+  std::string language;
+  CharSet characters;      // that its translations show
+  size_t missing = 0;      // of them, not in the font
+  size_t bytes = 0;        // of the records of their glyphs
+  size_t bytes_alone = 0;  // of those that nothing else asks for
+};
+
 struct FontReport {
   std::string file_name;
   std::string name;  // family and style
@@ -44,6 +54,7 @@ struct FontReport {
   std::vector<char32_t> missing;
   std::vector<char32_t> added;  // that layout may need
   size_t added_bytes = 0;       // of their records
+  std::vector<LanguageReport> languages;
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;
   size_t characters = 0;
@@ -72,6 +83,11 @@ struct FontReport {
 FontReport make_report(const SourceFont& font,
                        const RomContent& content,
                        const std::vector<LoopResult>& errors);
+
+/// What each language of the translations costs in the font of `report`.
+std::vector<LanguageReport> report_languages(const SourceFont& font,
+                                             const AskedCharacters& asked,
+                                             const FontReport& report);
 
 /// Names the glyphs that miss the tolerance: throws Error if that is a limit,
 /// else adds a warning. The fixed predicate, which corners miss, only warns.

@@ -93,7 +93,7 @@ SourceFont load_source(const GenerateRequest& request,
     first.face = request.face;
     first.instance = request.instance;
     first.axes = request.axes;
-    first.characters = characters_of(request);
+    first.characters = characters_of(request).all;
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = true;
@@ -159,6 +159,10 @@ RomFont generate(const GenerateRequest& request) {
   content.options.tolerance = request.target.tolerance;
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
+  if (!request.strings_from.empty()) {
+    rom.report.languages =
+        report_languages(font, characters_of(request), rom.report);
+  }
   tell_of_errors(rom.report, request.tolerance_is_limit, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)

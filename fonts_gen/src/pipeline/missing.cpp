@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "texts/c_literals.hpp"
+#include "texts/shown_texts.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -27,13 +27,13 @@ std::string place_in_text(const std::filesystem::path& file, char32_t c) {
   return place_of_line(file.string(), 1 + std::count(text.begin(), end, '\n'));
 }
 
-// The same of the literals of a source.
+// The same of a source or a translation.
 std::string place_in_source(const std::filesystem::path& file, char32_t c) {
-  const std::string text = read_text_file(file, "--strings-from");
-  for (const LocatedCharacter& found :
-       literal_characters(text, file.string())) {
-    if (found.value == c) {
-      return place_of_line(file.string(), found.line);
+  for (const LanguageText& shown : shown_texts(file, "--strings-from")) {
+    for (const LocatedCharacter& found : shown.text) {
+      if (found.value == c) {
+        return place_of_line(file.string(), found.line);
+      }
     }
   }
   return "";

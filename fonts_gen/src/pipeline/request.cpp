@@ -7,8 +7,8 @@
 #include "base/error.hpp"
 #include "pipeline/font_morphs.hpp"
 #include "source/faces.hpp"
-#include "texts/c_literals.hpp"
 #include "texts/file_pattern.hpp"
+#include "texts/shown_texts.hpp"
 
 namespace inkcell::gen {
 
@@ -132,36 +132,42 @@ std::vector<std::filesystem::path> inputs_of(const GenerateRequest& request) {
   return files;
 }
 
-CharSet characters_of(const GenerateRequest& request) {
-  CharSet characters;
+AskedCharacters characters_of(const GenerateRequest& request) {
+  AskedCharacters asked;
   for (const std::string& list : request.chars) {
-    add_ranges(list, characters);
+    add_ranges(list, asked.common);
   }
   for (const std::filesystem::path& file : request.text_files) {
-    add_text_file(file, characters);
+    add_text_file(file, asked.common);
   }
   for (const std::filesystem::path& file : sources_of(request)) {
-    const std::string source = read_text_file(file, "--strings-from");
-    for (const LocatedCharacter& found :
-         literal_characters(source, file.string())) {
-      characters.insert(found.value);
+    for (const LanguageText& shown : shown_texts(file, "--strings-from")) {
+      CharSet& to = shown.language.empty() ? asked.common
+                                           : asked.languages[shown.language];
+      for (const LocatedCharacter& found : shown.text) {
+        to.insert(found.value);
+      }
     }
   }
-  add_text(request.symbols, "--symbols", characters);
-  add_morph_characters(request, characters);
-  const bool asked = !request.chars.empty() || !request.text_files.empty() ||
-                     !request.strings_from.empty() ||
-                     !request.symbols.empty() || !request.morphs.empty() ||
-                     !request.string_files.empty();
-  if (!asked) {
-    add_ranges(kDefaultChars, characters);
+  add_text(request.symbols, "--symbols", asked.common);
+  add_morph_characters(request, asked.common);
+  const bool has_lists =
+      !request.chars.empty() || !request.text_files.empty() ||
+      !request.strings_from.empty() || !request.symbols.empty() ||
+      !request.morphs.empty() || !request.string_files.empty();
+  if (!has_lists) {
+    add_ranges(kDefaultChars, asked.common);
   }
-  if (characters.empty() && request.string_files.empty()) {
+  asked.all = asked.common;
+  for (const auto& [language, characters] : asked.languages) {
+    asked.all.insert(characters.begin(), characters.end());
+  }
+  if (asked.all.empty() && request.string_files.empty()) {
     throw Error(
         "no characters asked for: the texts hold nothing printable; check "
         "--text-file, --strings-from and --symbols");
   }
-  return characters;
+  return asked;
 }
 
 std::vector<std::filesystem::path> sources_of(const GenerateRequest& request) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ struct GenerateRequest {
   /// there are no strings.
   std::vector<std::string> chars;  // lists as add_ranges reads them
   std::vector<std::filesystem::path> text_files;
-  std::vector<std::string> strings_from;  // patterns of C and C++ sources
+  std::vector<std::string> strings_from;  // patterns, as shown_texts() reads
   std::string symbols;                    // UTF-8
   /// Whether text gets what layout may add: an ellipsis, a hyphen. The space is
   /// always there if the face has one.
@@ -77,11 +78,17 @@ struct GenerateRequest {
 /// Throws Error unless the numbers of `request` lie within their limits.
 void check_request(const GenerateRequest& request);
 
-/// All characters that `request` asks its font files for, without those of
-/// strings that are shaped. Throws Error if there are neither.
-CharSet characters_of(const GenerateRequest& request);
+/// What a request asks its font files for.
+struct AskedCharacters {
+  CharSet all;     // without those of strings that are shaped
+  CharSet common;  // of no language
+  std::map<std::string, CharSet> languages;  // of translations
+};
 
-/// The sources that strings_from names, each once. Throws Error.
+/// Throws Error if there are neither characters nor strings that are shaped.
+AskedCharacters characters_of(const GenerateRequest& request);
+
+/// The files that strings_from names, each once. Throws Error.
 std::vector<std::filesystem::path> sources_of(const GenerateRequest& request);
 
 /// The strings that are shaped. Throws Error.

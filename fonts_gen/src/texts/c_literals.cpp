@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "base/error.hpp"
 #include "source/char_set.hpp"
@@ -36,8 +37,7 @@ bool is_skipped_directive(std::string_view word) {
 // Adjacent literals, as bytes of UTF-8.
 class Literal {
  public:
-  Literal(const std::string& file, std::vector<LocatedCharacter>& out)
-      : file_(file), out_(out) {}
+  Literal(const std::string& file, LocatedText& out) : file_(file), out_(out) {}
 
   void add_byte(char byte, int line, bool is_escaped) {
     bytes_ += byte;
@@ -58,7 +58,7 @@ class Literal {
 
   // Ends the literal at the next token.
   void end() {
-    std::vector<LocatedCharacter> found;
+    LocatedText found;
     std::string_view rest = bytes_;
     while (!rest.empty()) {
       const int line = lines_[bytes_.size() - rest.size()];
@@ -83,7 +83,7 @@ class Literal {
 
  private:
   const std::string& file_;
-  std::vector<LocatedCharacter>& out_;
+  LocatedText& out_;
   std::string bytes_;
   std::vector<int> lines_;   // of each byte
   bool is_written_ = false;  // has bytes above ASCII that are not escapes
@@ -92,9 +92,7 @@ class Literal {
 // Scans a source token by token.
 class Scanner {
  public:
-  Scanner(std::string_view source,
-          const std::string& file,
-          std::vector<LocatedCharacter>& out)
+  Scanner(std::string_view source, const std::string& file, LocatedText& out)
       : source_(source), literal_(file, out) {
     join_lines();
   }
@@ -293,9 +291,9 @@ class Scanner {
 
 }  // namespace
 
-std::vector<LocatedCharacter> literal_characters(std::string_view source,
-                                                 const std::string& file) {
-  std::vector<LocatedCharacter> out;
+LocatedText literal_characters(std::string_view source,
+                               const std::string& file) {
+  LocatedText out;
   Scanner(source, file, out).scan();
   return out;
 }

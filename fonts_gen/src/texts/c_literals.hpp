@@ -3,15 +3,10 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "texts/located_text.hpp"
 
 namespace inkcell::gen {
-
-/// A character and its line, from 1.
-struct LocatedCharacter {
-  char32_t value = 0;
-  int line = 0;
-};
 
 /// The characters of all string literals of a source, in order: with any
 /// prefix, also raw; adjacent literals are joined. Comments, character
@@ -23,7 +18,7 @@ struct LocatedCharacter {
 /// give UTF-8, as these are data. `file` names the source in errors.
 ///
 /// Throws Error for a literal that is not UTF-8 in the file itself.
-std::vector<LocatedCharacter> literal_characters(std::string_view source,
-                                                 const std::string& file);
+LocatedText literal_characters(std::string_view source,
+                               const std::string& file);
 
 }  // namespace inkcell::gen

@@ -8,11 +8,10 @@
 #include "base/identifier.hpp"
 #include "source/char_set.hpp"
 #include "texts/c_escape.hpp"
+#include "texts/located_text.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -171,10 +170,7 @@ void check_new(const NamedString& string,
 void add_string_file(const std::filesystem::path& file,
                      std::vector<NamedString>& out) {
   const std::string content = read_text_file(file, "--strings");
-  std::string_view rest = content;
-  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-    rest.remove_prefix(kByteOrderMark.size());
-  }
+  std::string_view rest = without_byte_order_mark(content);
   for (int number = 1; !rest.empty(); ++number) {
     const size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));
