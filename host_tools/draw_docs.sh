@@ -29,7 +29,7 @@ mkdir -p docs/img
   --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \
   --glyph e --side 400 --points docs/img/hints.png >/dev/null
-"$tools/inkcell-animate" clock --size 160x64 --every 2 --frames 60 \
+"$tools/inkcell-animate" clock --size 160x64 --fps 15 --seconds 4 \
   --out docs/img/clock.png
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

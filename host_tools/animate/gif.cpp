@@ -1,100 +1,293 @@
+// Frames are kept, packed, until the colours of all are known.
 #include "gif.hpp"
 
 #include <gif_lib.h>
+#include <zlib.h>
 
-#include <array>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "inkcell/geometry.hpp"
 
 namespace inkcell::tools {
+namespace {
+
+constexpr size_t kCells = 32768;
+constexpr size_t kMostBytes = 1'000'000;  // of ten seconds
+constexpr uint64_t kSamples = 65536;      // that giflib chooses colours of
+
+// What is tried until the file is small enough.
+struct Effort {
+  int colours;
+  size_t step;  // one frame of so many
+};
+constexpr std::array<Effort, 6> kEfforts = {
+    {{255, 1}, {127, 1}, {63, 1}, {31, 1}, {63, 2}, {15, 2}}};
+
+uint16_t cell_of(const uint8_t* rgb) {
+  return static_cast<uint16_t>((rgb[0] >> 3) << 10 | (rgb[1] >> 3) << 5 |
+                               rgb[2] >> 3);
+}
+
+int square(int value) {
+  return value * value;
+}
+
+// The box of the pixels that differ; one pixel if none do.
+Rect changes(const std::vector<uint8_t>& a,
+             const std::vector<uint8_t>& b,
+             int width) {
+  Rect box;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (a[i] != b[i]) {
+      const int x = static_cast<int>(i) % width;
+      const int y = static_cast<int>(i) / width;
+      box = bounding_box(box, {x, y, x + 1, y + 1});
+    }
+  }
+  return is_empty(box) ? Rect{0, 0, 1, 1} : box;
+}
+
+int append(GifFileType* gif, const GifByteType* bytes, int count) {
+  auto& out = *static_cast<std::vector<uint8_t>*>(gif->UserData);
+  out.insert(out.end(), bytes, bytes + count);
+  return count;
+}
+
+struct CloseGif {
+  void operator()(GifFileType* gif) const {
+    int error = 0;
+    EGifCloseFile(gif, &error);
+  }
+};
+struct FreeMap {
+  void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
+};
+
+}  // namespace
+
+struct GifWriter::Palette {
+  std::array<GifColorType, 256> colours{};
+  int count = 0;
+  std::vector<uint8_t> index;  // of each cell
+
+  // The map has a power of two of entries, and one that is transparent.
+  int map_size() const {
+    int size = 2;
+    while (size <= count) {
+      size *= 2;
+    }
+    return size;
+  }
+};
 
 GifWriter::GifWriter(const std::filesystem::path& file,
                      int width,
                      int height,
                      int frames_per_second)
-    : file_(file), frames_per_second_(frames_per_second) {
-  int error = 0;
-  gif_ = EGifOpenFileName(file.c_str(), false, &error);
-  if (gif_ == nullptr) {
-    refuse(error);
-  }
-  EGifSetGifVersion(gif_, true);
-  constexpr std::array<unsigned char, 3> kForEver = {1, 0, 0};
-  if (EGifPutScreenDesc(gif_, width, height, 8, 0, nullptr) == GIF_ERROR ||
-      EGifPutExtensionLeader(gif_, APPLICATION_EXT_FUNC_CODE) == GIF_ERROR ||
-      EGifPutExtensionBlock(gif_, 11, "NETSCAPE2.0") == GIF_ERROR ||
-      EGifPutExtensionBlock(gif_, kForEver.size(), kForEver.data()) ==
-          GIF_ERROR ||
-      EGifPutExtensionTrailer(gif_) == GIF_ERROR) {
-    refuse(gif_->Error);
-  }
-}
-
-GifWriter::~GifWriter() {
-  if (gif_ != nullptr) {
-    int error = 0;
-    EGifCloseFile(gif_, &error);
+    : file_(file),
+      out_(file, std::ios::binary),
+      frames_per_second_(frames_per_second),
+      before_(width, height, 3),
+      cells_(kCells) {
+  if (!out_) {
+    refuse(std::strerror(errno));
   }
 }
 
 void GifWriter::add(const Image& frame) {
-  const size_t count =
-      static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
-  std::array<std::vector<GifByteType>, 3> planes;
-  for (size_t channel = 0; channel < planes.size(); ++channel) {
-    planes.at(channel).resize(count);
-    for (size_t i = 0; i < count; ++i) {
-      planes.at(channel)[i] = frame.pixels[3 * i + channel];
+  const size_t count = frame.pixels.size() / 3;
+  std::vector<uint16_t> cells(count);
+  for (size_t i = 0; i < count; ++i) {
+    const uint8_t* rgb = &frame.pixels[3 * i];
+    cells[i] = cell_of(rgb);
+    if (frames_.empty() || std::memcmp(rgb, &before_.pixels[3 * i], 3) != 0) {
+      Cell& cell = cells_[cells[i]];
+      ++cell.count;
+      for (size_t k = 0; k < 3; ++k) {
+        cell.sum.at(k) += rgb[k];
+      }
     }
   }
-  std::array<GifColorType, 256> colours{};
-  int colour_count = static_cast<int>(colours.size());
-  std::vector<GifByteType> pixels(count);
-  if (GifQuantizeBuffer(static_cast<unsigned>(frame.width),
-                        static_cast<unsigned>(frame.height), &colour_count,
+  before_ = frame;
+  uLongf bytes = compressBound(2 * count);
+  std::vector<uint8_t> packed(bytes);
+  if (compress2(packed.data(), &bytes,
+                reinterpret_cast<const Bytef*>(cells.data()), 2 * count,
+                1) != Z_OK) {
+    throw std::runtime_error("zlib could not pack a frame");
+  }
+  packed.resize(bytes);
+  packed.shrink_to_fit();
+  frames_.push_back(std::move(packed));
+}
+
+// giflib cuts the space of colours by medians; each colour is then the mean of
+// the pixels that are nearest to it.
+GifWriter::Palette GifWriter::choose_colours(int most) const {
+  uint64_t total = 0;
+  for (const Cell& cell : cells_) {
+    total += cell.count;
+  }
+  std::array<std::vector<GifByteType>, 3> planes;
+  for (const Cell& cell : cells_) {
+    if (cell.count != 0) {
+      const size_t weight = 1 + cell.count * kSamples / total;
+      for (size_t k = 0; k < 3; ++k) {
+        planes.at(k).insert(
+            planes.at(k).end(), weight,
+            static_cast<GifByteType>(cell.sum.at(k) / cell.count));
+      }
+    }
+  }
+  Palette palette;
+  palette.count = most;
+  std::vector<GifByteType> chosen(planes[0].size());
+  if (GifQuantizeBuffer(static_cast<unsigned>(chosen.size()), 1, &palette.count,
                         planes[0].data(), planes[1].data(), planes[2].data(),
-                        pixels.data(), colours.data()) == GIF_ERROR) {
+                        chosen.data(), palette.colours.data()) == GIF_ERROR) {
     throw std::runtime_error("giflib could not choose colours");
   }
-  ColorMapObject* map =
-      GifMakeMapObject(static_cast<int>(colours.size()), colours.data());
-  // Whole hundredths of a second from frame to frame; the mean is exact.
-  const int begin = frames_ * 100 / frames_per_second_;
-  const int end = (frames_ + 1) * 100 / frames_per_second_;
-  GraphicsControlBlock control{};
-  control.DisposalMode = DISPOSE_DO_NOT;
-  control.DelayTime = end - begin;
-  control.TransparentColor = NO_TRANSPARENT_COLOR;
-  std::array<GifByteType, 4> block{};
-  const size_t size = EGifGCBToExtension(&control, block.data());
-  bool is_written =
-      EGifPutExtension(gif_, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(size),
-                       block.data()) == GIF_OK &&
-      EGifPutImageDesc(gif_, 0, 0, frame.width, frame.height, false, map) ==
-          GIF_OK;
-  for (int y = 0; is_written && y < frame.height; ++y) {
-    is_written = EGifPutLine(gif_, pixels.data() + y * frame.width,
-                             frame.width) == GIF_OK;
+  std::array<Cell, 256> sums{};
+  palette.index.resize(kCells);
+  for (size_t i = 0; i < kCells; ++i) {
+    const Cell& cell = cells_[i];
+    if (cell.count == 0) {
+      continue;
+    }
+    const auto mean = [&](size_t k) {
+      return static_cast<int>(cell.sum.at(k) / cell.count);
+    };
+    int least = std::numeric_limits<int>::max();
+    for (int n = 0; n < palette.count; ++n) {
+      const GifColorType& colour = palette.colours.at(static_cast<size_t>(n));
+      const int distance = 3 * square(colour.Red - mean(0)) +
+                           4 * square(colour.Green - mean(1)) +
+                           2 * square(colour.Blue - mean(2));
+      if (distance < least) {
+        least = distance;
+        palette.index[i] = static_cast<uint8_t>(n);
+      }
+    }
+    Cell& sum = sums.at(palette.index[i]);
+    sum.count += cell.count;
+    for (size_t k = 0; k < 3; ++k) {
+      sum.sum.at(k) += cell.sum.at(k);
+    }
   }
-  GifFreeMapObject(map);
-  if (!is_written) {
-    refuse(gif_->Error);
+  for (size_t n = 0; n < sums.size(); ++n) {
+    const Cell& sum = sums.at(n);
+    if (sum.count != 0) {
+      const auto mean = [&](size_t k) {
+        return static_cast<GifByteType>((sum.sum.at(k) + sum.count / 2) /
+                                        sum.count);
+      };
+      palette.colours.at(n) = {mean(0), mean(1), mean(2)};
+    }
   }
-  ++frames_;
+  return palette;
+}
+
+// Takes one frame of `step`.
+std::vector<uint8_t> GifWriter::encode(const Palette& palette,
+                                       size_t step) const {
+  std::vector<uint8_t> bytes;
+  int error = 0;
+  std::unique_ptr<GifFileType, CloseGif> gif(EGifOpen(&bytes, append, &error));
+  if (gif == nullptr) {
+    refuse(GifErrorString(error));
+  }
+  const auto require = [&](int result) {
+    if (result == GIF_ERROR) {
+      refuse(GifErrorString(gif->Error));
+    }
+  };
+  const int width = before_.width;
+  const int height = before_.height;
+  const std::unique_ptr<ColorMapObject, FreeMap> map(
+      GifMakeMapObject(palette.map_size(), palette.colours.data()));
+  EGifSetGifVersion(gif.get(), true);
+  constexpr std::array<unsigned char, 3> kForEver = {1, 0, 0};
+  require(EGifPutScreenDesc(gif.get(), width, height, 8, 0, map.get()));
+  require(EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));
+  require(EGifPutExtensionBlock(gif.get(), 11, "NETSCAPE2.0"));
+  require(EGifPutExtensionBlock(gif.get(), kForEver.size(), kForEver.data()));
+  require(EGifPutExtensionTrailer(gif.get()));
+  std::vector<uint16_t> cells(before_.pixels.size() / 3);
+  std::vector<uint8_t> before;
+  std::vector<uint8_t> now(cells.size());
+  for (size_t number = 0; number < frames_.size(); number += step) {
+    uLongf size = 2 * cells.size();
+    if (uncompress(reinterpret_cast<Bytef*>(cells.data()), &size,
+                   frames_[number].data(), frames_[number].size()) != Z_OK) {
+      throw std::runtime_error("zlib could not unpack a frame");
+    }
+    std::transform(cells.begin(), cells.end(), now.begin(),
+                   [&](uint16_t cell) { return palette.index[cell]; });
+    const bool is_first = before.empty();
+    const Rect part =
+        is_first ? Rect{0, 0, width, height} : changes(before, now, width);
+    // Whole hundredths of a second from frame to frame; the mean is exact.
+    const auto time = [&](size_t frame) {
+      return static_cast<int>(frame * 100 /
+                              static_cast<size_t>(frames_per_second_));
+    };
+    GraphicsControlBlock control{};
+    control.DisposalMode = DISPOSE_DO_NOT;
+    control.DelayTime =
+        time(std::min(number + step, frames_.size())) - time(number);
+    control.TransparentColor = palette.map_size() - 1;
+    std::array<GifByteType, 4> block{};
+    const size_t block_size = EGifGCBToExtension(&control, block.data());
+    require(EGifPutExtension(gif.get(), GRAPHICS_EXT_FUNC_CODE,
+                             static_cast<int>(block_size), block.data()));
+    require(EGifPutImageDesc(gif.get(), part.x0, part.y0, part.x1 - part.x0,
+                             part.y1 - part.y0, false, nullptr));
+    std::vector<GifByteType> row(static_cast<size_t>(part.x1 - part.x0));
+    for (int y = part.y0; y < part.y1; ++y) {
+      for (int x = part.x0; x < part.x1; ++x) {
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(width) +
+                         static_cast<size_t>(x);
+        row[static_cast<size_t>(x - part.x0)] =
+            !is_first && now[i] == before[i]
+                ? static_cast<GifByteType>(control.TransparentColor)
+                : now[i];
+      }
+      require(EGifPutLine(gif.get(), row.data(), static_cast<int>(row.size())));
+    }
+    before = now;
+  }
+  if (EGifCloseFile(gif.release(), &error) == GIF_ERROR) {
+    refuse(GifErrorString(error));
+  }
+  return bytes;
 }
 
 void GifWriter::finish() {
-  int error = 0;
-  GifFileType* gif = gif_;
-  gif_ = nullptr;
-  if (EGifCloseFile(gif, &error) == GIF_ERROR) {
-    refuse(error);
+  const size_t seconds =
+      frames_.size() / static_cast<size_t>(frames_per_second_);
+  const size_t most = std::max(kMostBytes, kMostBytes * seconds / 10);
+  std::vector<uint8_t> bytes;
+  for (const Effort& effort : kEfforts) {
+    bytes = encode(choose_colours(effort.colours), effort.step);
+    if (bytes.size() < most) {
+      break;
+    }
+  }
+  out_.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  out_.close();
+  if (!out_) {
+    refuse(std::strerror(errno));
   }
 }
 
-void GifWriter::refuse(int error) const {
-  const char* why = GifErrorString(error);
+void GifWriter::refuse(const char* why) const {
   throw std::runtime_error(file_.string() + ": cannot be written: " +
                            (why != nullptr ? why : "unknown error"));
 }

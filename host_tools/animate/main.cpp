@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -36,9 +37,9 @@ struct Arguments {
   std::string font = kDefaultFont;
   std::optional<std::string> text;
   std::string size = "320x240";
-  uint32_t frames = scenes::kLoopFrames;
-  uint32_t from = 0;
-  int every = 1;
+  double seconds = 10;
+  double from = 0;  // [s]
+  int frames_per_second = scenes::kFramesPerSecond;
   std::string format = "apng";
   std::string out;
   std::string stats;
@@ -50,6 +51,23 @@ struct Size {
   int width = 0;
   int height = 0;
 };
+
+// The frames that are played.
+struct Frames {
+  uint32_t first = 0;
+  uint32_t step = 1;
+  uint32_t count = 0;
+};
+
+Frames frames_of(const Arguments& arguments) {
+  const auto count = [](double seconds, int frames_per_second) {
+    return static_cast<uint32_t>(std::lround(seconds * frames_per_second));
+  };
+  return {count(arguments.from, scenes::kFramesPerSecond),
+          static_cast<uint32_t>(scenes::kFramesPerSecond /
+                                arguments.frames_per_second),
+          std::max(1U, count(arguments.seconds, arguments.frames_per_second))};
+}
 
 Size read_size(const std::string& text) {
   Size size;
@@ -146,9 +164,8 @@ struct Output {
   std::function<void()> finish = [] {};
 };
 
-Output open_output(const Arguments& arguments, Size size) {
+Output open_output(const Arguments& arguments, Size size, uint32_t frames) {
   size = {size.width * arguments.zoom, size.height * arguments.zoom};
-  const int frames_per_second = scenes::kFramesPerSecond / arguments.every;
   if (arguments.format == "frames") {
     const std::filesystem::path folder = arguments.out;
     std::filesystem::create_directories(folder);
@@ -160,14 +177,14 @@ Output open_output(const Arguments& arguments, Size size) {
   }
   check_folder_of(arguments.out);
   if (arguments.format == "gif") {
-    auto gif = std::make_shared<GifWriter>(arguments.out, size.width,
-                                           size.height, frames_per_second);
+    auto gif = std::make_shared<GifWriter>(
+        arguments.out, size.width, size.height, arguments.frames_per_second);
     return {[gif](const Image& frame, uint32_t) { gif->add(frame); },
             [gif] { gif->finish(); }};
   }
   auto apng =
       std::make_shared<ApngWriter>(arguments.out, size.width, size.height,
-                                   arguments.frames, frames_per_second);
+                                   frames, arguments.frames_per_second);
   return {[apng](const Image& frame, uint32_t) { apng->add(frame); },
           [apng] { apng->finish(); }};
 }
@@ -175,16 +192,17 @@ Output open_output(const Arguments& arguments, Size size) {
 void write_stats(const Arguments& arguments,
                  const Player& player,
                  Size size,
+                 const Frames& frames,
                  Tally& tally) {
   const auto mean = [&](uint64_t sum) {
-    return static_cast<double>(sum) / arguments.frames;
+    return static_cast<double>(sum) / frames.count;
   };
   nlohmann::ordered_json json = {
       {"scene", arguments.scene},
       {"width", size.width},
       {"height", size.height},
-      {"from", arguments.from},
-      {"frames", arguments.frames},
+      {"from", frames.first},
+      {"frames", frames.count},
       {"sha256", tally.all.finish()},
       {"sha256_state", tally.states.finish()},
       {"sha256_frames", tally.pictures.finish()},
@@ -207,16 +225,15 @@ void write_stats(const Arguments& arguments,
 }
 
 void play(const Arguments& arguments, Player& player, Size size) {
-  player.open();
-  const Output output = open_output(arguments, size);
+  const Frames frames = frames_of(arguments);
+  const Output output = open_output(arguments, size, frames.count);
   DisplayMemory memory(Display::xrgb8888, size.width, size.height);
   Image before;
   Tally tally;
   gen::Progress progress(false, "frames");
   uint32_t due = 0;
-  for (uint32_t i = 0; i < arguments.frames; ++i) {
-    const uint32_t number =
-        arguments.from + i * static_cast<uint32_t>(arguments.every);
+  for (uint32_t i = 0; i < frames.count; ++i) {
+    const uint32_t number = frames.first + i * frames.step;
     player.set_frame(number);
     memory.show(arguments.rows, [&player](const Strip& strip) {
       DisplayPaper paper(Display::xrgb8888, strip);
@@ -243,11 +260,11 @@ void play(const Arguments& arguments, Player& player, Size size) {
     output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
                number);
     before = std::move(frame);
-    progress.update(i + 1, arguments.frames);
+    progress.update(i + 1, frames.count);
   }
   output.finish();
   if (!arguments.stats.empty()) {
-    write_stats(arguments, player, size, tally);
+    write_stats(arguments, player, size, frames, tally);
   }
 }
 
@@ -268,7 +285,7 @@ void run(Arguments& arguments, const CLI::App& app) {
   const RomFile rom = load_font_file(
       arguments.font, conversion_of(app, arguments.request), text);
   const std::unique_ptr<Player> player =
-      kind.make(rom.font(), text, size.width, size.height);
+      open_scene(kind, rom.font(), text, size.width, size.height);
   play(arguments, *player, size);
 }
 
@@ -287,18 +304,19 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE")
       ->capture_default_str();
   app.add_option("--text", arguments.text,
-                 "What the scene shows: a line, a time HH:MM, or two words");
+                 "What the scene shows, instead of its own text");
   app.add_option("--size", arguments.size, "Of the screen [px]")
       ->type_name("WxH")
       ->capture_default_str();
-  app.add_option("--frames", arguments.frames, "How many, 30 a second")
-      ->check(CLI::Range(1, 1000000))
+  app.add_option("--seconds", arguments.seconds,
+                 "How long; every scene repeats after 10 s")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  app.add_option("--from", arguments.from, "The first frame")
-      ->check(CLI::Range(0, 1000000))
+  app.add_option("--from", arguments.from, "Where to begin [s]")
+      ->check(CLI::Range(0.0, 36000.0))
       ->capture_default_str();
-  app.add_option("--every", arguments.every,
-                 "Take one frame of N, for smaller files")
+  app.add_option("--fps", arguments.frames_per_second,
+                 "Frames a second; fewer make smaller files")
       ->check(CLI::IsMember({1, 2, 3, 5, 6, 10, 15, 30}))
       ->type_name("N")
       ->capture_default_str();

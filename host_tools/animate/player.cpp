@@ -1,6 +1,7 @@
 #include "player.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <type_traits>
 
@@ -16,6 +17,8 @@
 
 namespace inkcell::tools {
 namespace {
+
+constexpr size_t kWorkspaceBytes = 4096;
 
 // Distances inside of a body for each pixel of its box, as drawn: a filter of
 // +-4 px turns them into coverage.
@@ -89,15 +92,10 @@ class ScenePlayer : public Player {
                 height,
                 {{grid_.data(), grid_.size()},
                  {particles_.data(), particles_.size()},
-                 {homes_.data(), homes_.size()}}}) {}
+                 {homes_.data(), homes_.size()}},
+                {workspace_.data(), workspace_.size()}}) {}
 
-  void open() override {
-    const Status status = scene_.open();
-    if (status != Status::ok) {
-      throw std::runtime_error("the scene cannot show this text: " +
-                               std::string(status_name(status)));
-    }
-  }
+  Status open() override { return scene_.open(); }
   void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
 
   void draw(const scenes::Paper& paper) override { scene_.draw(paper); }
@@ -145,12 +143,15 @@ class ScenePlayer : public Player {
   std::vector<int8_t> grid_;
   std::vector<kinetic::Particle> particles_;
   std::vector<kinetic::ParticleHome> homes_;
+  alignas(4) std::array<uint8_t, kWorkspaceBytes> workspace_{};
   Scene scene_;
 };
 
 template <typename Scene>
-SceneKind kind_of(std::string_view name, std::string_view what) {
-  return {name, what, Scene::kText,
+SceneKind kind_of(std::string_view name,
+                  std::string_view what,
+                  std::string_view takes) {
+  return {name, what, Scene::kText, takes,
           [](const Font& font, std::string_view text, int width,
              int height) -> std::unique_ptr<Player> {
             return std::make_unique<ScenePlayer<Scene>>(font, text, width,
@@ -162,17 +163,41 @@ SceneKind kind_of(std::string_view name, std::string_view what) {
 
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = {
-      kind_of<scenes::PathScene>("path", "letters on a wave"),
-      kind_of<scenes::ClockScene>("clock", "digits that become others"),
-      kind_of<scenes::ParticleScene>("particles",
-                                     "a word bursts and becomes another"),
-      kind_of<scenes::BodyScene>("figure13", "soft letters fall in a heap"),
-      kind_of<scenes::OffsetScene>("figure14",
-                                   "surfaces swell and throw particles off"),
-      kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up"),
-      kind_of<scenes::PrintScene>("print", "light goes round five prints"),
+      kind_of<scenes::PathScene>("path", "letters on a wave",
+                                 "a line of up to 24 letters"),
+      kind_of<scenes::ClockScene>("clock", "digits that become others",
+                                  "a time, H:MM or HH:MM"),
+      kind_of<scenes::ParticleScene>(
+          "particles", "a word bursts and becomes another", "two words"),
+      kind_of<scenes::BodyScene>("figure13", "soft letters fall in a heap",
+                                 "up to 8 letters"),
+      kind_of<scenes::OffsetScene>(
+          "figure14", "surfaces swell and throw particles off", "a word"),
+      kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up",
+                                   "a letter, or a short word"),
+      kind_of<scenes::PrintScene>("print", "light goes round five prints",
+                                  "a word"),
   };
   return kinds;
+}
+
+std::unique_ptr<Player> open_scene(const SceneKind& kind,
+                                   const Font& font,
+                                   std::string_view text,
+                                   int width,
+                                   int height) {
+  std::unique_ptr<Player> player = kind.make(font, text, width, height);
+  const Status status = player->open();
+  if (status != Status::ok) {
+    const bool is_text =
+        status == Status::bad_argument || status == Status::buffer_small;
+    throw std::runtime_error(
+        "'" + std::string(text) + "' on " + std::to_string(width) + "x" +
+        std::to_string(height) + " px: " + std::string(kind.name) + " takes " +
+        std::string(kind.takes) +
+        (is_text ? "" : ": " + std::string(status_name(status))));
+  }
+  return player;
 }
 
 }  // namespace inkcell::tools

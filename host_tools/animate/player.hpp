@@ -11,6 +11,7 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/status.hpp"
 #include "paper.hpp"
 
 namespace inkcell::tools {
@@ -26,8 +27,7 @@ class Player {
  public:
   virtual ~Player() = default;
 
-  /// Throws std::runtime_error if the font or the text does not fit the scene.
-  virtual void open() = 0;
+  virtual Status open() = 0;
   virtual void set_frame(uint32_t frame) = 0;
   /// Draws the frame on a strip.
   virtual void draw(const scenes::Paper& paper) = 0;
@@ -44,7 +44,8 @@ class Player {
 struct SceneKind {
   std::string_view name;
   std::string_view what;
-  std::string_view text;  // the default
+  std::string_view text;   // the default
+  std::string_view takes;  // what may be its text
   std::unique_ptr<Player> (*make)(const Font& font,
                                   std::string_view text,
                                   int width,
@@ -53,5 +54,13 @@ struct SceneKind {
 
 /// All scenes.
 const std::vector<SceneKind>& scene_kinds();
+
+/// A scene of a kind, open. Throws std::runtime_error that says what the scene
+/// takes if the text, the font or the screen does not suit it.
+std::unique_ptr<Player> open_scene(const SceneKind& kind,
+                                   const Font& font,
+                                   std::string_view text,
+                                   int width,
+                                   int height);
 
 }  // namespace inkcell::tools

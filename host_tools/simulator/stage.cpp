@@ -80,9 +80,8 @@ class PlayerStage : public Stage {
   PlayerStage(const Settings& settings, const SceneKind& kind, const Font& font)
       : display_(settings.display),
         text_(settings.text),
-        player_(kind.make(font, text_, settings.width, settings.height)) {
-    player_->open();
-  }
+        player_(
+            open_scene(kind, font, text_, settings.width, settings.height)) {}
 
   void set_frame(uint32_t frame) override { player_->set_frame(frame); }
   void draw(const Strip& strip, DrawStats& stats) override {

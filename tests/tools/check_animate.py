@@ -5,6 +5,7 @@ Usage: check_animate.py --animate PROGRAM --fontgen PROGRAM
 """
 import argparse
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -66,8 +67,8 @@ class Animate(unittest.TestCase):
         """What was written, and its stats."""
         out = pathlib.Path(self.folder.name) / name
         stats = out.with_suffix(".json")
-        run("animate", scene, "--font", self.font, "--size", size, "--frames",
-            frames, "--out", out, "--stats", stats, *options)
+        run("animate", scene, "--font", self.font, "--size", size, "--seconds",
+            frames / 30, "--out", out, "--stats", stats, *options)
         return out, json.loads(stats.read_text())
 
     def test_same_bytes_every_time(self):
@@ -78,6 +79,14 @@ class Animate(unittest.TestCase):
                 self.assertEqual(first.read_bytes(), second.read_bytes())
                 gif = first.read_bytes()[:6] == b"GIF89a"
                 self.assertEqual(gif, kind == "gif")
+
+    def test_gif_is_small_and_can_be_read(self):
+        """Its mode follows umask."""
+        os.umask(0o022)
+        gif, _ = self.play("figure15", "g.gif", "--format", "gif",
+                           size="320x240", frames=60)
+        self.assertEqual(gif.stat().st_mode & 0o777, 0o644)
+        self.assertLess(gif.stat().st_size, 1000000)
 
     def test_formats_hold_the_same_frames(self):
         for scene in SCENES:
@@ -96,14 +105,14 @@ class Animate(unittest.TestCase):
         for scene in SCENES:
             played, _ = self.play(scene, "p", "--format", "frames", frames=62)
             sought, _ = self.play(scene, "s", "--format", "frames", "--from",
-                                  50, frames=12)
+                                  50 / 30, frames=12)
             for file in sought.glob("*.png"):
                 self.assertEqual(file.read_bytes(),
                                  (played / file.name).read_bytes(), file.name)
 
-    def test_every_takes_one_frame_of_n(self):
+    def test_fewer_frames_a_second(self):
         all_of, _ = self.play("clock", "p", "--format", "frames", frames=13)
-        some, _ = self.play("clock", "e.png", "--every", 6, frames=3)
+        some, _ = self.play("clock", "e.png", "--fps", 5, frames=18)
         frames = frames_of(some.read_bytes())
         for i, frame in enumerate(frames):
             data = b"".join(data for kind, data in chunks(
@@ -112,7 +121,7 @@ class Animate(unittest.TestCase):
 
     def test_strips_make_no_difference(self):
         for scene in SCENES:
-            hashes = {self.play(scene, "r.png", "--from", 40, "--rows", rows)
+            hashes = {self.play(scene, "r.png", "--from", 4 / 3, "--rows", rows)
                       [1]["sha256"] for rows in (1, 7, 16, 64)}
             self.assertEqual(len(hashes), 1)
 
@@ -136,8 +145,13 @@ class Animate(unittest.TestCase):
                 (("nothing", "--out", out), "no such scene"),
                 (("path", "--out", out, "--size", "320"), "WIDTHxHEIGHT"),
                 (("path", "--out", out, "--size", "9x9"), "16x8"),
-                (("clock", "--out", out, "--text", "25:00"), "bad_argument"),
-                (("particles", "--out", out, "--text", "one"), "bad_argument"),
+                (("clock", "--out", out, "--text", "25:00"),
+                 "'25:00' on 320x240 px: clock takes a time, H:MM or HH:MM"),
+                (("particles", "--out", out, "--text", "one"),
+                 "particles takes two words"),
+                (("path", "--out", out, "--text", 25 * "i"),
+                 "path takes a line of up to 24 letters"),
+                (("path", "--out", out, "--fps", 7), "{1,2,3,5,6,10,15,30}"),
                 (("path", "--out", out, "--format", "mp4"), "mp4")):
             message = run("animate", *arguments, "--font", self.font, code=1)
             self.assertIn(words, message)

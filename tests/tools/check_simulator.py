@@ -145,8 +145,9 @@ class Scenes(Case):
     def test_frames(self):
         for scene in ("path", "clock", "particles", "figure13", "figure15"):
             frames = self.folder / scene
-            run("animate", scene, "--font", self.ROM_FONT, "--size", "96x64", "--from",
-                40, "--frames", 1, "--format", "frames", "--out", frames)
+            run("animate", scene, "--font", self.ROM_FONT, "--size", "96x64",
+                "--from", 40 / 30, "--seconds", 0, "--format", "frames",
+                "--out", frames)
             shown = self.folder / "shown.png"
             self.script(f"scene {scene}", "display xrgb8888", "size 96x64",
                         "frame 40", f"save {shown}")

@@ -29,20 +29,27 @@ constexpr Filter kGlowFilter =
                  Fixed<uint16_t, 8>::from_int(2)});
 constexpr int32_t kGlowFromPx = 60;
 
+// Takes one or two digits off a text.
+bool read_number(Text& text, size_t least, uint32_t& out) noexcept {
+  out = 0;
+  size_t count = 0;
+  while (count < 2 && text.size != 0 && *text.data >= '0' &&
+         *text.data <= '9') {
+    out = out * 10 + static_cast<uint32_t>(*text.data - '0');
+    text = {text.data + 1, text.size - 1};
+    ++count;
+  }
+  return count >= least;
+}
+
 bool read_time(Text text, uint32_t& minute) noexcept {
-  const auto digit = [&](size_t i) {
-    return text.data[i] >= '0' && text.data[i] <= '9';
-  };
-  if (text.size != 5 || text.data[2] != ':' || !digit(0) || !digit(1) ||
-      !digit(3) || !digit(4)) {
+  uint32_t hour;
+  if (!read_number(text, 1, hour) || text.size == 0 || *text.data != ':') {
     return false;
   }
-  const auto value = [&](size_t i) {
-    return static_cast<uint32_t>(text.data[i] - '0');
-  };
-  const uint32_t hour = value(0) * 10 + value(1);
-  minute = value(3) * 10 + value(4);
-  if (hour > 23 || minute > 59) {
+  text = {text.data + 1, text.size - 1};
+  if (!read_number(text, 2, minute) || text.size != 0 || hour > 23 ||
+      minute > 59) {
     return false;
   }
   minute += hour * 60;
