@@ -54,12 +54,12 @@ inline void add(uint8_t* pixel, int32_t gain) noexcept {
 
 // A row's part of an edge that passes several columns, from `left` to `right`.
 // `rise`: what the edge gains in a 256th of a column. [Q16]
-__attribute__((noinline)) void add_wide(const Band& band,
-                                        uint8_t* row,
-                                        int32_t left,
-                                        int32_t right,
-                                        int32_t gain,
-                                        int32_t rise) noexcept {
+void add_wide(const Band& band,
+              uint8_t* row,
+              int32_t left,
+              int32_t right,
+              int32_t gain,
+              int32_t rise) noexcept {
   const int32_t last = (right - 1) >> 8;
   int32_t column = left >> 8;
   const int32_t in_first = 256 - (left & 255);
@@ -131,7 +131,7 @@ inline void add_part(const Band& band,
                      int32_t from,
                      int32_t to,
                      int32_t gain) noexcept {
-  if (__builtin_expect((from ^ to) >> 8 == 0, 1)) {
+  if (!kIsSmall && __builtin_expect((from ^ to) >> 8 == 0, 1)) {
     add_narrow(band, row, from >> 8, (from & 255) + (to & 255), gain);
   } else {
     add_any(band, row, from, to, gain);
@@ -176,7 +176,7 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
   uint8_t* bytes = band.row(top >> 8);
   for (int32_t y = top; y != bottom;) {
     int32_t next = min((y | 255) + 1, bottom);
-    if (kIsSmall || next - y != 256) {
+    if (next - y != 256) {
       const int32_t units = units_of(next) - units_of(y);
       add_narrow(band, bytes, column, (x & 255) * 2, full < 0 ? -units : units);
       bytes += stride;
@@ -190,12 +190,15 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
 }
 
 // `count` rows that a line passes from top to bottom. [px, Q16]
-__attribute__((noinline)) void paint_full_rows(const Band& band,
-                                               uint8_t* row,
-                                               int32_t count,
-                                               int32_t x_q16,
-                                               int32_t slope,
-                                               int32_t full) noexcept {
+#if !defined(__OPTIMIZE_SIZE__)
+__attribute__((noinline))
+#endif
+void paint_full_rows(const Band& band,
+                     uint8_t* row,
+                     int32_t count,
+                     int32_t x_q16,
+                     int32_t slope,
+                     int32_t full) noexcept {
   int32_t rise = 0;
   const int32_t width = abs(slope) >> 8;
   x_q16 += min(slope, 0);  // the left end of a row's part
@@ -205,7 +208,9 @@ __attribute__((noinline)) void paint_full_rows(const Band& band,
     const int32_t left = x_q16 >> 8;
     const int32_t twice = (left & 255) * 2 + width;
     const int32_t column = x_q16 >> 16;
-    if (__builtin_expect((left & 255) + width <= 256, 1)) {
+    if (kIsSmall) {
+      add_any(band, row, left, left + width, full);
+    } else if (__builtin_expect((left & 255) + width <= 256, 1)) {
       if (static_cast<uint32_t>(column) <= last_column) {
         const int32_t behind = (twice * full + 256) >> 9;
         add(row + column, full - behind);
@@ -224,7 +229,8 @@ __attribute__((noinline)) void paint_full_rows(const Band& band,
   } while (--count != 0);
 }
 
-// A line in several rows, shorter than kLengthLimit in both directions.
+// A line in several rows, vertical or shorter than kLengthLimit in both
+// directions.
 __attribute__((noinline)) void paint_rows(
     const Band& band, int32_t x0, int32_t y0, int32_t x1, int32_t y1) noexcept {
   bool gains = !band.is_mirrored;
@@ -241,8 +247,10 @@ __attribute__((noinline)) void paint_rows(
   if (y1 <= 0 || y0 >= high) {
     return;
   }
-  const int32_t slope =
-      times(x1 - x0, reciprocal_of(static_cast<uint32_t>(y1 - y0)));
+  int32_t slope = 0;
+  if (!kIsSmall || x0 != x1) {
+    slope = times(x1 - x0, reciprocal_of(static_cast<uint32_t>(y1 - y0)));
+  }
   int32_t x_q16 = x0 * 256;
   if (y0 < 0) {
     x_q16 += (-y0 >> 8) * slope + ((-y0 & 255) * slope >> 8);
@@ -361,19 +369,26 @@ __attribute__((noinline)) void paint_curve(const Band& band,
     int32_t dy = (ay * 1024 >> halvings) + d2y;
     int32_t x = (at.x + out.x) * 512 + 256;
     int32_t y = (at.y + out.y) * 512 + 256;
-    PixelPoint joint = at;
+    int32_t from_x = at.x;
+    int32_t from_y = at.y;
     for (uint32_t left = 1u << halvings; left != 0; --left) {
       x += dx;
       y += dy;
       dx += 2 * d2x;
       dy += 2 * d2y;
-      const PixelPoint next = left == 1 ? edge[2] : PixelPoint{x >> 9, y >> 9};
-      if (are_short) {
-        paint_short_line(band, joint.x, joint.y, next.x, next.y);
-      } else {
-        paint_line(band, joint, next);
+      int32_t to_x = x >> 9;
+      int32_t to_y = y >> 9;
+      if (left == 1) {
+        to_x = edge[2].x;
+        to_y = edge[2].y;
       }
-      joint = next;
+      if (are_short) {
+        paint_short_line(band, from_x, from_y, to_x, to_y);
+      } else {
+        paint_line(band, {from_x, from_y}, {to_x, to_y});
+      }
+      from_x = to_x;
+      from_y = to_y;
     }
   }
 }
@@ -387,7 +402,11 @@ struct AreaPainter {
     if (is_bent) {
       paint_curve(band, edge, kind == kOffCurve);
     } else if (edge[0].x == edge[2].x) {
-      paint_vertical(band, edge[2].x, edge[0].y, edge[2].y);
+      if (kIsSmall) {
+        paint_short_line(band, edge[2].x, edge[0].y, edge[2].x, edge[2].y);
+      } else {
+        paint_vertical(band, edge[2].x, edge[0].y, edge[2].y);
+      }
     } else if (edge[0].y != edge[2].y) {
       paint_line(band, edge[0], edge[2]);
     }
