@@ -74,7 +74,8 @@ bool write_ppm(const std::string& name) {
 }
 
 // The board of the demo on the host: its display is memory.
-Status inkcell::board::display_write(const Strip& strip) noexcept {
+inkcell::Status inkcell::board::display_write(
+    const Strip& strip) noexcept {
   const port::Framebuffer display = {{memory.data(), memory.size()},
                                      demo::kFormat,
                                      demo::kWidth,

@@ -66,7 +66,7 @@ Status show_page(const Font& font, uint32_t page) noexcept {
                    glyphs);
     is_whole = has_all(font, {text.data + line.begin, line.length}) && is_whole;
   }
-  board::display_write(strip);
+  INKCELL_TRY(board::display_write(strip));
   return is_whole ? Status::ok : Status::no_glyph;
 }
 
