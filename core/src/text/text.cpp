@@ -1,5 +1,6 @@
 #include "inkcell/text.hpp"
 
+#include "base/math.hpp"
 #include "inkcell/assert.hpp"
 #include "text/blank.hpp"
 #include "text/text_place.hpp"
@@ -59,6 +60,11 @@ bool find_glyph(const Font& font,
          font.glyph_of(' ', glyph) == Status::ok;
 }
 
+// A position plus an advance has 32 bits.
+int32_t clamped(int32_t at, int32_t limit) noexcept {
+  return detail::min(detail::max(at, -limit), limit);
+}
+
 }  // namespace
 
 uint32_t next_code_point(Text& text) noexcept {
@@ -111,7 +117,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
             ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
             : 0;
     const int32_t limit = advances.limit();
-    const int32_t at = detail::clamp_to(advance_ + kerning, limit);
+    const int32_t at = clamped(advance_ + kerning, limit);
     // Positions are sums of advances, each converted by itself: nothing
     // accumulates.
     out.x = advances.to_units(at);
@@ -119,7 +125,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
     out.glyph = glyph;
     out.offset = static_cast<uint16_t>(offset);
     out.face = 0;
-    advance_ = detail::clamp_to(at + advances.advance(glyph), limit);
+    advance_ = clamped(at + advances.advance(glyph), limit);
     previous_ = glyph;
     return true;
   }
