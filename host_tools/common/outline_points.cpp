@@ -17,6 +17,7 @@ struct Code {
   uint32_t kind;
   int x_bits;
   int y_bits;
+  size_t table_change;
 };
 
 Code code_at(Span<const uint8_t> table, size_t index) {
@@ -25,18 +26,45 @@ Code code_at(Span<const uint8_t> table, size_t index) {
   return {std::max(1, static_cast<int>(entry & word::kLengthMask)),
           entry >> word::kKindShift & word::kKindMask,
           static_cast<int>(entry >> word::kXBitsShift & word::kWidthMask),
-          static_cast<int>(entry >> word::kYBitsShift & word::kWidthMask)};
+          static_cast<int>(entry >> word::kYBitsShift & word::kWidthMask),
+          entry >> word::kTableShift};
 }
 
 int code_bits(const Font& font) {
   return font.rom().data[format::header::kCodeBits];
 }
 
+// 1, 2, 4 or 8.
+size_t table_count(Span<const uint8_t> table, int bits) {
+  size_t count = 1;
+  while (2 * count <= format::outline::kMaxTables &&
+         (4 * count) << bits <= table.size) {
+    count *= 2;
+  }
+  return count;
+}
+
+// The entries from `index` on that are one word: those that begin with its
+// bits, or with one bit more if they tell a number.
+size_t word_entries(Span<const uint8_t> table, int bits, size_t index) {
+  const Code code = code_at(table, index);
+  const size_t all = size_t{1} << std::max(bits - code.length, 0);
+  const auto entry = [&table](size_t i) {
+    return read_u16(table.data + 2 * i);
+  };
+  for (size_t i = 1; i < all; ++i) {
+    if (entry(index + i) != entry(index)) {
+      return all / 2;
+    }
+  }
+  return index % all == 0 ? all : all / 2;
+}
+
 // The index of the word that entry `index` belongs to.
 size_t word_number(Span<const uint8_t> table, int bits, size_t index) {
   size_t number = 0;
   for (size_t i = 0; i < index;) {
-    i += size_t{1} << std::max(bits - code_at(table, i).length, 0);
+    i += std::max(word_entries(table, bits, i), size_t{1});
     number += i <= index ? 1 : 0;
   }
   return number;
@@ -50,13 +78,16 @@ void read_simple(const Font& font, uint16_t glyph, GlyphOutline& out) {
   static_cast<void>(font.glyph_metrics(glyph, metrics));
   double x = std::floor(metrics.x_min / grid);
   double y = std::floor(metrics.y_min / grid);
+  const size_t last_table = table_count(table, bits) - 1;
+  size_t at_table = 0;
   BitReader record(font.record(glyph), 1);
   out.uses.resize(code_words(font).size());
   out.contours.emplace_back();
   for (int points = 0; points < max_points(font); ++points) {
-    const size_t index = record.peek(bits);
+    const size_t index = (at_table << bits) + record.peek(bits);
     const Code code = code_at(table, index);
     record.read(code.length);
+    at_table ^= code.table_change & last_table;
     const size_t number = word_number(table, bits, index);
     if (number < out.uses.size()) {
       ++out.uses[number];
@@ -142,19 +173,24 @@ std::vector<CodeWord> code_words(const Font& font) {
   }
   const Span<const uint8_t> table = font.section(format::section::kCode);
   const int bits = code_bits(font);
-  for (size_t i = 0; i < size_t{1} << bits;) {
+  const size_t tables = table_count(table, bits);
+  for (size_t i = 0; i < tables << bits;) {
     const Code code = code_at(table, i);
+    const size_t entries = std::max(word_entries(table, bits, i), size_t{1});
     CodeWord word;
-    for (int bit = bits - 1; bit >= bits - code.length && bit >= 0; --bit) {
-      word.bits += (i >> bit & 1) != 0 ? '1' : '0';
+    word.table = static_cast<int>(i >> bits);
+    for (size_t bit = size_t{1} << bits >> 1; bit >= entries; bit >>= 1) {
+      word.bits += (i & bit) != 0 ? '1' : '0';
     }
     word.is_end = code.kind == format::outline::kEndOfContour;
     word.kind =
         word.is_end ? PointKind::corner : static_cast<PointKind>(code.kind);
     word.x_bits = code.x_bits;
     word.y_bits = code.y_bits;
+    word.next_table =
+        static_cast<int>((i >> bits) ^ (code.table_change & (tables - 1)));
     words.push_back(word);
-    i += size_t{1} << std::max(bits - code.length, 0);
+    i += entries;
   }
   return words;
 }

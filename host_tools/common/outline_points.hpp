@@ -46,11 +46,13 @@ struct GlyphOutline {
 
 /// A word of the font's code table.
 struct CodeWord {
-  std::string bits;     // such as "0110"
+  int table = 0;        // where it stands
+  std::string bits;     // such as "0110"; the last may be the first of a number
   bool is_end = false;  // of a contour
   PointKind kind = PointKind::corner;
   int x_bits = 0;  // of dx
   int y_bits = 0;  // of dy
+  int next_table = 0;
 };
 
 /// The words of section CODE; none if the font has no outlines.

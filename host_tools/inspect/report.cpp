@@ -96,10 +96,15 @@ std::string width_text(int bits) {
 
 // The code table, and how often records use each word.
 void append_words(std::string& out, const FontCensus& font) {
-  append(out, "  code table      %zu words\n", font.words.size());
+  append(out, "  code tables     %d, %zu words\n",
+         font.words.empty() ? 0 : font.words.back().table + 1,
+         font.words.size());
   for (size_t i = 0; i < font.words.size(); ++i) {
     const CodeWord& word = font.words[i];
     const auto uses = static_cast<long long>(font.uses(i));
+    if (i != 0 && word.table != font.words[i - 1].table) {
+      append(out, "   table %d\n", word.table);
+    }
     if (word.is_end) {
       append(out, "    %-8s end of contour %22lld uses\n", word.bits.c_str(),
              uses);
@@ -176,7 +181,9 @@ nlohmann::json words_json(const FontCensus& font) {
   nlohmann::json words = nlohmann::json::array();
   for (size_t i = 0; i < font.words.size(); ++i) {
     const CodeWord& word = font.words[i];
-    words.push_back({{"bits", word.bits},
+    words.push_back({{"table", word.table},
+                     {"bits", word.bits},
+                     {"next_table", word.next_table},
                      {"kind", word.is_end ? "end" : kind_name(word.kind)},
                      {"dx_bits", word.x_bits},
                      {"dy_bits", word.y_bits},

@@ -14,21 +14,32 @@ class CodeWord(NamedTuple):
     kind: int
     x_bits: int
     y_bits: int
+    change: int  # of the table's number
 
 
 def read_code(data, code_bits):
-    """The table of section CODE."""
+    """The tables of section CODE."""
     require(15, 1 <= code_bits <= 7)
-    require(15, len(data) == 2 << code_bits)
+    table_bytes = 2 << code_bits
+    require(15, len(data) in [table_bytes << i for i in range(4)])
+    return [read_table(data[at:at + table_bytes], code_bits,
+                       len(data) // table_bytes)
+            for at in range(0, len(data), table_bytes)]
+
+
+def read_table(data, code_bits, tables):
     entries = [entry for entry, in struct.iter_unpack("<H", data)]
     words = [CodeWord(entry & 7, entry >> 3 & 3, entry >> 5 & 15,
-                      entry >> 9 & 15) for entry in entries]
+                      entry >> 9 & 15, entry >> 13) for entry in entries]
     for number, (entry, word) in enumerate(zip(entries, words)):
-        require(15, entry >> 13 == 0)
+        require(15, word.change < tables)
         require(15, 1 <= word.length <= code_bits)
         require(15, word.kind != END or word.x_bits == word.y_bits == 0)
-        # All entries that begin with the word are equal.
+        # All entries that begin with the word are equal, or with its bits and
+        # the first one of its numbers.
         count = 1 << (code_bits - word.length)
+        if word.x_bits or word.y_bits:
+            count = max(count // 2, 1)
         first = number // count * count
         require(15, entries[first:first + count] == [entry] * count)
     return words
@@ -56,10 +67,10 @@ class Bits:
         value = self.u(count)
         return value - (value >> (count - 1) << count) if count else 0
 
-    def word(self, code):
-        code_bits = len(code).bit_length() - 1
+    def word(self, table):
+        code_bits = len(table).bit_length() - 1
         at = self.at
-        word = code[self.u(code_bits)]
+        word = table[self.u(code_bits)]
         self.at = at + word.length
         return word
 
@@ -92,8 +103,10 @@ def read_outline(record, code, start, max_points):
     x, y = start
     contours = []
     points = []
+    table = 0
     for _ in range(max_points):
-        word = bits.word(code)
+        word = bits.word(code[table])
+        table ^= word.change
         if word.kind == END:
             require(16, points)
             contours.append(points)

@@ -45,10 +45,10 @@ class Writer:
 
 def wide_code():
     """A word of 2 bits for each kind, with numbers of 15 bits."""
-    return [word for kind in range(4) for word in read_code(
+    return read_code(
         struct.pack("<4H", *[2 | kind << 3 |
-                             (0 if kind == END else 15 << 5 | 15 << 9)] * 4),
-        2)[:1]]
+                             (0 if kind == END else 15 << 5 | 15 << 9)
+                             for kind in range(4)]), 2)
 
 
 def write_outline(contours, start):
@@ -68,8 +68,9 @@ def write_outline(contours, start):
 
 class Examples(unittest.TestCase):
     def test_code(self):
-        self.assertEqual(CODE, [(2, END, 0, 0), (2, OFF_CURVE, 8, 8),
-                                (2, CORNER, 10, 0), (2, CORNER, 9, 10)])
+        self.assertEqual(CODE, [[(2, END, 0, 0, 0), (2, OFF_CURVE, 8, 8, 0),
+                                 (2, CORNER, 10, 0, 0),
+                                 (2, CORNER, 9, 10, 0)]])
 
     def test_outline(self):
         record = example("Example of an outline")
@@ -120,8 +121,26 @@ class Records(unittest.TestCase):
             data[at] = byte
             with self.assertRaises(Refused, msg=(at, byte)):
                 read_code(bytes(data), 2)
-        with self.assertRaises(Refused):
-            read_code(table, 3)
+        for wrong, bits in (table, 3), (table * 3, 2), (table * 16, 2):
+            with self.assertRaises(Refused):
+                read_code(wrong, bits)
+
+    def test_words_tell_the_next_table_and_share_a_bit(self):
+        # Lines along x: in table 0 of 4 bits, then in table 1 of 3 bits if dx
+        # is not negative, else of 6 bits, and back to table 0.
+        end, line = 1 | END << 3, 1 | CORNER << 3 | 1 << 13
+        code = read_code(struct.pack(
+            "<8H", *[end] * 2, *[line | 4 << 5] * 2,
+            *[end] * 2, line | 3 << 5, line | 6 << 5), 2)
+        writer = Writer()
+        for value, width in (1, 1), (-8, 4), (3, 3), (-1, 4), (-32, 6):
+            if width > 1:
+                writer.u(1, 1)
+            writer.s(width, value)
+        writer.u(2, 0)
+        points = [Point(x, 0, CORNER) for x in (-8, -5, -6, -38)]
+        self.assertEqual(read_outline(writer.bytes(), code, (0, 0), 5),
+                         [points])
 
     def test_composites(self):
         writer = Writer()

@@ -24,7 +24,8 @@ using font_builder::GlyphSpec;
 namespace input = outline_input;
 
 constexpr size_t kMaxPoints = 96;
-constexpr size_t kMaxCodeBytes = 2 << format::outline::kMaxCodeBits;
+constexpr size_t kMaxCodeBytes = 2 * format::outline::kMaxTables
+                                 << format::outline::kMaxCodeBits;
 
 using Bytes = Span<const uint8_t>;
 
@@ -63,7 +64,9 @@ Rom font_of_records(const uint8_t* choice, Bytes rest) {
       static_cast<int8_t>(choice[input::kGridShift] % 8 - 4);
   spec.outlines.max_points =
       static_cast<uint16_t>(get_u16(choice + input::kMaxPoints) % 512);
-  const size_t code_bytes = size_t{2} << spec.outlines.code_bits;
+  // 1, 2, 4 or 8 tables.
+  const size_t code_bytes = size_t{2} << spec.outlines.code_bits
+                                      << choice[input::kCodeBits] / 64;
   const Bytes table = take(rest, code_bytes);
   std::fill(code, code + code_bytes, uint8_t{0});
   std::copy(table.begin(), table.end(), code);

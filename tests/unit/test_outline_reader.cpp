@@ -19,7 +19,7 @@ namespace word = format::outline;
 constexpr OutlineMap kMap = {{{1 << 10, 0}, {0, -(1 << 10)}}};
 
 uint8_t record[1 << 9];
-alignas(2) uint8_t table[2 << word::kMaxCodeBits];
+alignas(2) uint8_t table[2 << word::kMaxCodeBits];  // or smaller ones
 ScreenPoint points[96];
 
 void set_entry(uint32_t i,
@@ -34,7 +34,7 @@ void set_entry(uint32_t i,
 
 OutlineCoding coding_of(uint8_t code_bits, uint16_t max_points = 96) {
   OutlineCoding coding;
-  coding.table = table;
+  coding.tables = table;
   coding.code_bits = code_bits;
   coding.max_points = max_points;
   return coding;
@@ -202,6 +202,79 @@ TEST(points_come_in_any_portions) {
       CHECK_EQ(points[i].y_q8_kind, all[i].y_q8_kind);
     }
   }
+}
+
+// Four tables, of a word for lines of 4 bits along x and of one for the end
+// each: that of a line changes the table by its number XOR 1, 2 or 3.
+void set_tables() {
+  for (uint32_t i = 0; i < 4; ++i) {
+    set_entry(2 * i, 1, word::kEndOfContour, 0, 0);
+    set_entry(2 * i + 1, 1, detail::kCorner, 4 + i, 0);
+  }
+  const uint32_t changes[] = {1, 3, 0, 2};  // to 1, 2, 2 and 1
+  for (uint32_t i = 0; i < 4; ++i) {
+    uint8_t* const entry = table + 2 * (2 * i + 1);
+    font_builder::put_u16(
+        entry, font_builder::get_u16(entry) | changes[i] << word::kTableShift);
+  }
+}
+
+TEST(a_word_tells_the_table_of_the_next) {
+  set_tables();
+  BitWriter bits({record, sizeof(record)});
+  bits.put(1, 1);
+  const uint32_t widths[] = {4, 5, 6, 6};
+  for (const uint32_t width : widths) {
+    bits.put(1, 1);
+    put_signed(bits, least(width), width);
+  }
+  bits.put(0, 2);
+  for (const int32_t portion : {96, 3, 1}) {
+    OutlineCoding coding = coding_of(1);
+    coding.last_table = 3;
+    CHECK_EQ(read(bits, coding, portion), 5);
+    check_point(0, -8, 0, detail::kStart);
+    check_point(1, -24, 0, detail::kCorner);
+    check_point(2, -56, 0, detail::kCorner);
+    check_point(3, -88, 0, detail::kCorner);
+  }
+}
+
+// Bits of a number that leave the tables are dropped.
+TEST(no_table_beyond_the_last_is_read) {
+  set_tables();
+  BitWriter bits({record, sizeof(record)});
+  bits.put(1, 1);
+  const uint32_t widths[] = {4, 5, 5};
+  for (const uint32_t width : widths) {
+    bits.put(1, 1);
+    put_signed(bits, least(width), width);
+  }
+  bits.put(0, 2);
+  OutlineCoding coding = coding_of(1);
+  coding.last_table = 1;
+  // From 1 the change is 3: to 0, and from there to 1.
+  set_entry(2, 1, word::kEndOfContour, 0, 0);
+  CHECK_EQ(read(bits, coding), 4);
+  check_point(2, -8 - 16 - 8, 0, detail::kCorner);
+}
+
+// Words 10 and 11 of points along x are told apart by the sign of dx.
+TEST(a_words_last_bit_may_be_the_numbers_first) {
+  set_entry(0, 1, word::kEndOfContour, 0, 0);
+  set_entry(1, 1, word::kEndOfContour, 0, 0);
+  set_entry(2, 1, detail::kCorner, 4, 0);
+  set_entry(3, 1, detail::kSmooth, 7, 0);
+  BitWriter bits({record, sizeof(record)});
+  bits.put(1, 1);
+  bits.put(1, 1);
+  put_signed(bits, 7, 4);
+  bits.put(1, 1);
+  put_signed(bits, -64, 7);
+  bits.put(0, 2);
+  CHECK_EQ(read(bits, coding_of(2)), 3);
+  check_point(0, 7, 0, detail::kStart);
+  check_point(1, 7 - 64, 0, detail::kSmooth);
 }
 
 TEST(no_more_than_max_points_come) {

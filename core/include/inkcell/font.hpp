@@ -15,10 +15,11 @@ class Style;
 namespace detail {
 // What all outlines of a font share: sections CODE and GLYF.
 struct OutlineCoding {
-  const uint8_t* table = nullptr;  // 2^code_bits words, at an even address
-  uint8_t code_bits = 0;           // of prefixes; 0: there are no outlines
-  int8_t grid_shift = 0;           // grid units are 2^grid_shift font units
-  uint16_t max_points = 0;         // of a glyph; no reader goes on beyond
+  const uint8_t* tables = nullptr;  // of 2^code_bits words, at an even address
+  uint8_t code_bits = 0;            // of prefixes; 0: there are no outlines
+  int8_t grid_shift = 0;            // grid units are 2^grid_shift font units
+  uint16_t max_points = 0;          // of a glyph; no reader goes on beyond
+  uint8_t last_table = 0;           // 0, 1, 3 or 7
 };
 
 const OutlineCoding& outline_coding(const Font& font) noexcept;

@@ -129,9 +129,14 @@ inline bool Font::open_code(const Span<const uint8_t>& code) noexcept {
           outline::kMaxGridShift - outline::kMinGridShift) {
     return false;
   }
+  uint32_t last_table = 0;
+  while (last_table != outline::kMaxTables - 1 &&
+         code.size >> (code_bits + 2) > last_table) {
+    last_table = 2 * last_table + 1;
+  }
   coding_ = {code.data, static_cast<uint8_t>(code_bits),
-             static_cast<int8_t>(grid_shift),
-             load_u16(at + header::kMaxPoints)};
+             static_cast<int8_t>(grid_shift), load_u16(at + header::kMaxPoints),
+             static_cast<uint8_t>(last_table)};
   return true;
 }
 

@@ -213,7 +213,7 @@ uint32_t last_bits_from(const uint8_t* bytes,
     return 0;
   }
   if (size >= 4) {
-    return load_big_u32(bytes + size - 4) << 8 * (first + 4 - size);
+    return load_big_u32(bytes + size - 4) << (8 * (first + 4 - size) & 31);
   }
   uint32_t window = 0;
   for (uint32_t i = first; i != first + 4; ++i) {
@@ -229,10 +229,14 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
   const uint8_t* const record = record_;
   const uint32_t size = size_;
   const uint32_t shift = 32u - coding.code_bits;
-  const uint8_t* const table = coding.table;
+  const auto table_of = [&coding](uint32_t number) {
+    return coding.tables + (number << coding.code_bits << 1);
+  };
+  uint32_t number = place_ >> kPlaceBits;
+  const uint8_t* table = table_of(number);
   const OutlineMap::Axis& right = map.axes[0];
   const OutlineMap::Axis& down = map.axes[1];
-  uint32_t bit = bit_;
+  uint32_t bit = place_ & ((1u << kPlaceBits) - 1);
   uint32_t x = x_q18_;
   uint32_t y = y_q18_;
   const int32_t count = min(room, budget_);
@@ -245,6 +249,11 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
     do {
       uint32_t window = bits_from(record, size, bit);
       const uint32_t code = load_u16(table + 2 * (window >> shift));
+      const uint32_t change = code >> word::kTableShift;
+      if (__builtin_expect(change != 0, 0)) {
+        number ^= change & coding.last_table;
+        table = table_of(number);
+      }
       const uint32_t length = code & word::kLengthMask;
       const uint32_t kind = code >> word::kKindShift & word::kKindMask;
       window <<= length;
@@ -287,7 +296,7 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
       start.y_q8_kind |= int32_t{kStart};
     }
   }
-  bit_ = bit;
+  place_ = bit | number << kPlaceBits;
   x_q18_ = x;
   y_q18_ = y;
   return out;

@@ -39,7 +39,7 @@ class OutlineReader {
              const int32_t (&pen_q18)[2]) noexcept {
     record_ = record.data;
     size_ = static_cast<uint32_t>(record.size);
-    bit_ = 1;
+    place_ = 1;
     x_q18_ = static_cast<uint32_t>(pen_q18[0]);
     y_q18_ = static_cast<uint32_t>(pen_q18[1]);
     start_ = ScreenPoint::at(0, 0, kStart);
@@ -56,9 +56,12 @@ class OutlineReader {
   bool is_spent() const noexcept { return budget_ == 0; }
 
  private:
+  // So many points as may come take fewer bits.
+  static constexpr uint32_t kPlaceBits = 29;
+
   const uint8_t* record_;  // null: it has no more points
   uint32_t size_;          // [bytes]
-  uint32_t bit_;           // the next one
+  uint32_t place_;         // the next bit; above it the number of its table
   uint32_t x_q18_;         // [px, modulo 2^32]
   uint32_t y_q18_;
   ScreenPoint start_;  // of the contour; kind kStart: it comes yet

@@ -23,9 +23,11 @@ inline uint32_t bits_from(const uint8_t* bytes,
                           uint32_t size,
                           uint32_t bit) noexcept {
   const uint32_t first = bit >> 3;
-  const uint32_t window = __builtin_expect(first + 4 <= size, 1)
-                              ? load_big_u32(bytes + first)
-                              : last_bits_from(bytes, size, first);
+  const auto last_four = static_cast<int32_t>(size - 4);
+  const uint32_t window =
+      __builtin_expect(static_cast<int32_t>(first) <= last_four, 1)
+          ? load_big_u32(bytes + first)
+          : last_bits_from(bytes, size, first);
   return window << (bit & 7);
 }
 

@@ -13,7 +13,7 @@ namespace {
 namespace word = format::outline;
 
 uint32_t entry(const OutlineCoding& coding, uint32_t i) noexcept {
-  return load_u16(coding.table + 2 * i);
+  return load_u16(coding.tables + 2 * i);
 }
 
 uint32_t kind_of(uint32_t code) noexcept {
@@ -34,9 +34,13 @@ bool is_mirrored(const int32_t* matrix_q14) noexcept {
 uint32_t count_points(Span<const uint8_t> record,
                       const OutlineCoding& coding) noexcept {
   uint32_t bit = 1;
+  uint32_t table = 0;
   bool is_start = true;
   for (uint32_t points = 1; points <= coding.max_points; ++points) {
-    const uint32_t code = entry(coding, bits_at(record, bit, coding.code_bits));
+    const uint32_t code =
+        entry(coding, (table << coding.code_bits) +
+                          bits_at(record, bit, coding.code_bits));
+    table ^= code >> word::kTableShift & coding.last_table;
     bit += (code & word::kLengthMask) + width_of(code);
     if (kind_of(code) != word::kEndOfContour) {
       if (is_start && kind_of(code) != kCorner) {
@@ -59,17 +63,21 @@ uint32_t count_points(Span<const uint8_t> record,
 }  // namespace
 
 bool code_fits(const OutlineCoding& coding) noexcept {
-  const uint32_t count = 1u << coding.code_bits;
+  const uint32_t count = (coding.last_table + 1u) << coding.code_bits;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t code = entry(coding, i);
     const uint32_t length = code & word::kLengthMask;
-    if (length == 0 || length > coding.code_bits || code >> 13 != 0 ||
+    if (length == 0 || length > coding.code_bits ||
+        code >> word::kTableShift > coding.last_table ||
         (kind_of(code) == word::kEndOfContour && width_of(code) != 0)) {
       return false;
     }
-    // All that begin with the word are in a row.
-    const uint32_t same = 1u << (coding.code_bits - length);
-    if (i != 0 && (i & (same - 1)) != 0 && entry(coding, i - 1) != code) {
+    // All that begin with the word are in a row; with numbers the first bit of
+    // them may tell words of the same bits apart.
+    const uint32_t after = coding.code_bits - length;
+    const uint32_t same =
+        1u << (after != 0 && width_of(code) != 0 ? after - 1 : after);
+    if ((i & (same - 1)) != 0 && entry(coding, i - 1) != code) {
       return false;
     }
   }

@@ -213,7 +213,9 @@ inline constexpr uint32_t kMaxUnitLog2 = 7;
 inline constexpr uint32_t kRecordAlignment = 2;
 }  // namespace glyphs
 
-// CODE: the words of outlines, a u16 for each of 2^code_bits prefixes.
+// CODE: the words of outlines: 1, 2, 4 or 8 tables of a u16 for each of
+// 2^code_bits prefixes. A record begins with table 0; a word names what its
+// table's number is XORed with for the next word.
 namespace outline {
 inline constexpr uint32_t kLengthMask = 7;  // of the word, 1..7
 inline constexpr uint32_t kKindShift = 3;   // off curve, smooth, corner, end
@@ -222,6 +224,8 @@ inline constexpr uint32_t kEndOfContour = 3;
 inline constexpr uint32_t kXBitsShift = 5;  // bits of dx, two's complement
 inline constexpr uint32_t kYBitsShift = 9;  // bits of dy
 inline constexpr uint32_t kWidthMask = 15;
+inline constexpr uint32_t kTableShift = 13;  // 0: the next word has this table
+inline constexpr uint32_t kMaxTables = 8;
 inline constexpr uint32_t kMaxCodeBits = 7;
 inline constexpr int32_t kMinGridShift = -4;
 inline constexpr int32_t kMaxGridShift = 3;
