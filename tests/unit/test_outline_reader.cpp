@@ -229,7 +229,8 @@ TEST(a_word_tells_the_table_of_the_next) {
     put_signed(bits, least(width), width);
   }
   bits.put(0, 2);
-  for (const int32_t portion : {96, 3, 1}) {
+  const int32_t portions[] = {96, 3, 1};
+  for (const int32_t portion : portions) {
     OutlineCoding coding = coding_of(1);
     coding.last_table = 3;
     CHECK_EQ(read(bits, coding, portion), 5);
