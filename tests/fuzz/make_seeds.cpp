@@ -100,6 +100,16 @@ bool write_outline_seeds(const std::string& folder,
   }
   uint8_t code[2 << outline_record::kCodeBits];
   outline_record::write_code(code);
+  if (number % 2 != 0) {
+    // Two alike, read by turns.
+    constexpr int kTable = 1 << (inkcell::format::outline::kTableShift - 8);
+    for (size_t i = 1; i < sizeof(code); i += 2) {
+      code[i] = static_cast<uint8_t>(code[i] | kTable);
+    }
+    seed.insert(seed.end(), code, code + sizeof(code));
+    seed[input::kCodeBits] = 64 + 2;
+    static_assert((64 + 2) % 7 + 1 == outline_record::kCodeBits);
+  }
   seed.insert(seed.end(), code, code + sizeof(code));
   std::vector<uint8_t> record(512);
   record.resize(

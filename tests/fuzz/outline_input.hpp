@@ -4,12 +4,12 @@
 #include <stdint.h>
 
 /// What an input begins with; numbers of two bytes are little endian. Then, of
-/// an input of records: the code table, and the records of glyphs 1 and 2 and,
+/// an input of records: the code tables, and the records of glyphs 1 and 2 and,
 /// to its end, of the composite glyph 3, without its type. Of one of points:
 /// four bytes a point, kind, dx / 32 in 1/1024 em, dy / 32, both.
 namespace outline_input {
 inline constexpr uint32_t kFlags = 0;      // kHasPoints and others
-inline constexpr uint32_t kCodeBits = 1;   // modulo 7, and 1
+inline constexpr uint32_t kCodeBits = 1;   // modulo 7, and 1; tables: 2^(/ 64)
 inline constexpr uint32_t kGridShift = 2;  // modulo 8, less 4
 inline constexpr uint32_t kEm = 3;         // u16
 inline constexpr uint32_t kMaxPoints = 5;  // u16, modulo 512
