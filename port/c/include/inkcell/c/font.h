@@ -20,7 +20,7 @@ extern "C" {
 /// it has no glyphs.
 typedef struct INKCELL_SHARED inkcell_font_t {
   const void* words[13];
-  uint32_t numbers[2];
+  uint32_t numbers[3];
 } inkcell_font_t;
 
 /// Measures of one glyph in font units, y up, origin on the baseline. The box
