@@ -29,6 +29,9 @@ if [ $# = 0 ]; then
     playwright-core@1 typescript@5.6
 fi
 
+# Compilers through ccache, as in tests/run.sh.
+export PATH="/usr/lib/ccache:$PATH" CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+
 skipped=
 # skip <what> <why>
 skip() {
