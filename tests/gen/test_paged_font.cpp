@@ -108,6 +108,18 @@ TEST(PagedFont, DrawsAsTheFontInMappedMemory) {
       EXPECT_EQ(font.advance(font.glyph_or_notdef(c)),
                 mapped.advance(mapped.glyph_or_notdef(c)));
     }
+    int32_t kerned = 0;
+    for (char32_t left = 0x21; left <= 0x42f; left += left == 0x5a ? 934 : 1) {
+      for (const char32_t right : std::u32string(U"AVTYo.\u0410\u0422")) {
+        const int32_t expected = mapped.kerning(mapped.glyph_or_notdef(left),
+                                                mapped.glyph_or_notdef(right));
+        EXPECT_EQ(font.kerning(font.glyph_or_notdef(left),
+                               font.glyph_or_notdef(right)),
+                  expected);
+        kerned += expected != 0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(kerned, 20);
     EXPECT_EQ(stored.status(), Status::ok);
     file.back() ^= 1;
     EXPECT_EQ(stored.verify(), Status::corrupt);
@@ -121,11 +133,18 @@ TEST(PagedFont, DrawsAsTheFontInMappedMemory) {
 TEST(PagedFont, SaysWhatItDoesNotHold) {
   GenerateRequest request = paged_request();
   request.paged = 512;
-  request.chars = {"A-Z"};
-  const Warnings warnings = generate(request).warnings;
-  EXPECT_TRUE(
-      std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
-        return warning.kind == Warning::Kind::no_kerning;
+  request.target.max_px = 12;
+  request.chars = {"0x41-0x17F"};
+  const RomFont font = generate(request);
+  EXPECT_EQ(font.report.bytes.kerning, 0u);
+  EXPECT_TRUE(std::any_of(
+      font.warnings.begin(), font.warnings.end(), [](const Warning& warning) {
+        return warning.kind == Warning::Kind::no_kerning &&
+               warning.text ==
+                   "DejaVu Sans Book: no pair kerns, because a block of 512 "
+                   "bytes has no room for all that do; use larger blocks, or "
+                   "put letters into a font in mapped memory, and this one "
+                   "behind it as a fallback";
       }));
   request.paged = 700;
   EXPECT_EQ(paged_refusal(request),

@@ -58,6 +58,7 @@ struct Disk {
 
   uint32_t reads = 0;
   uint32_t bytes = 0;
+  bool kerns = false;  // the first eight characters, each with the next
   // Faults.
   uint32_t fails_from = UINT32_MAX;  // the number of the first read that fails
   bool is_short = false;             // half of it comes
@@ -70,6 +71,8 @@ struct Disk {
   uint32_t top_blocks() const {
     return is_deep() ? up(low_blocks(), kFanOut) : 0;
   }
+  static constexpr uint32_t kKerning = 8;
+  uint32_t kern_end() const { return kerns ? kSlots + kKerning : 0; }
   uint32_t first_page() const { return 1 + top_blocks() + low_blocks(); }
 
   static constexpr uint32_t kOffsetBits = 8;
@@ -140,12 +143,42 @@ struct Disk {
 
   void write_resident(uint8_t* out) const;
 
+  // KERN, each glyph in classes of its own: a pair in each row, of the class of
+  // the next glyph.
+  static void write_kerning(uint8_t* out) {
+    put_u32(out, kKerning - 1);
+    put_u16(out + 4, kKerning);
+    put_u16(out + 6, kKerning - 1);
+    put_u16(out + 8, kKerning);
+    put_u16(out + 10, static_cast<uint16_t>(-100));
+    const uint8_t widths[] = {8, 8, 8, 8, 8};
+    uint8_t* at = out + 12;
+    for (const uint8_t width : widths) {
+      *at++ = width;
+    }
+    at = out + format::kerning::kBytes;
+    for (uint32_t i = 0; i < kKerning; ++i) {
+      *at++ = static_cast<uint8_t>(kSlots + i);
+      *at++ = static_cast<uint8_t>(i + 1 == kKerning ? 0 : i + 1);
+      *at++ = static_cast<uint8_t>(i + 1);
+    }
+    for (uint32_t i = 0; i < kKerning; ++i) {
+      *at++ = static_cast<uint8_t>(i);
+    }
+    for (uint32_t i = 0; i + 1 < kKerning; ++i) {
+      *at++ = static_cast<uint8_t>(i + 2);
+      *at++ = static_cast<uint8_t>(i);
+    }
+  }
+
   void write_block(uint32_t block, uint8_t* out) const {
     for (uint32_t i = 0; i < kBlock; ++i) {
       out[i] = 0;
     }
     if (block == 0) {
       write_resident(out);
+    } else if (block == first_page() + pages()) {
+      write_kerning(out);
     } else if (block >= first_page()) {
       write_page(block - first_page(), out);
     } else {
@@ -166,7 +199,8 @@ struct Disk {
     Disk& self = *static_cast<Disk*>(context);
     CHECK_EQ(offset % kBlock, 0u);
     CHECK_EQ(count, kBlock);
-    CHECK(offset / kBlock < self.first_page() + self.pages());
+    CHECK(offset / kBlock <
+          self.first_page() + self.pages() + (self.kerns ? 1u : 0u));
     self.bytes += count;
     const bool fails = self.reads >= self.fails_from;
     ++self.reads;
@@ -243,7 +277,8 @@ inline void Disk::write_resident(uint8_t* out) const {
   put_u16(out + paged::kGlyphEnd, kSlots + characters);
   out[paged::kLevels] = is_deep() ? 2 : 1;
   out[paged::kRoots] = static_cast<uint8_t>(roots);
-  put_u32(out + paged::kPages, pages());
+  put_u16(out + paged::kPages, pages());
+  put_u16(out + paged::kKernEnd, kern_end());
   const uint32_t crc = font_builder::crc32(
       font_builder::crc32(0, {out, paged::kHeaderCrc}),
       {out + paged::kContentCrc, offset + resident - paged::kContentCrc});

@@ -375,6 +375,47 @@ TEST(a_page_of_text_is_read_once) {
   CHECK(least <= 3 * kCharacters);
 }
 
+TEST(pairs_kern_by_one_block_more) {
+  for (const size_t blocks : kBlockCounts) {
+    Disk disk;
+    disk.kerns = true;
+    StoredFont stored = open_disk(disk, blocks);
+    const Font& font = stored.font();
+    uint16_t glyphs[Disk::kKerning + 2];
+    for (uint32_t i = 0; i < Disk::kKerning + 2; ++i) {
+      CHECK_OK(font.glyph_of(kFirst + i, glyphs[i]));
+    }
+    const uint32_t before = disk.reads;
+    for (uint32_t left = 0; left < Disk::kKerning; ++left) {
+      for (uint32_t right = 0; right < Disk::kKerning; ++right) {
+        const int32_t expected =
+            right == left + 1 ? static_cast<int32_t>(left) - 100 : 0;
+        CHECK_EQ(font.kerning(glyphs[left], glyphs[right]), expected);
+      }
+    }
+    CHECK_EQ(disk.reads - before, 1u);
+    // These do not kern, which needs no read.
+    stored.clear();
+    CHECK_EQ(font.kerning(glyphs[0], glyphs[Disk::kKerning]), 0);
+    CHECK_EQ(font.kerning(glyphs[Disk::kKerning + 1], glyphs[0]), 0);
+    CHECK_EQ(font.kerning(0, 60000), 0);
+    CHECK_EQ(disk.reads - before, 1u);
+    // A block of pairs is no page, whatever its bytes are.
+    CHECK_EQ(font.kerning(glyphs[1], glyphs[2]), -99);
+    uint16_t glyph = 0;
+    for (uint32_t n = 0; n < 40; ++n) {
+      CHECK_OK(font.glyph_of(kFirst + n, glyph));
+      CHECK_EQ(font.advance(glyph), int32_t{kAdvance});
+      CHECK_EQ(font.kerning(glyphs[2], glyphs[3]), -98);
+    }
+    CHECK_OK(stored.status());
+    disk.fails_from = disk.reads;
+    stored.clear();
+    CHECK_EQ(font.kerning(glyphs[1], glyphs[2]), 0);
+    CHECK_EQ(stored.status(), Status::read_failed);
+  }
+}
+
 TEST(reads_that_fail_give_notdef) {
   const Style style(Q26_6::from_int(20));
   for (const bool is_short : kBoth) {
@@ -414,6 +455,7 @@ TEST(bytes_that_change_are_safe) {
   uint32_t drawn = 0;
   for (uint32_t round = 0; round < 300; ++round) {
     disk.noise = nullptr;
+    disk.kerns = round % 2 != 0;
     const StoredFont stored = open_disk(disk, 1 + round % 3);
     const Font& font = stored.font();
     disk.noise = &random;
@@ -429,6 +471,9 @@ TEST(bytes_that_change_are_safe) {
       draw_glyph(font, style, glyph, picture_a);
       glyph = static_cast<uint16_t>(random.below(65536));
       static_cast<void>(font.advance(glyph));
+      static_cast<void>(font.kerning(
+          static_cast<uint16_t>(kSlots + random.below(Disk::kKerning)),
+          static_cast<uint16_t>(kSlots + random.below(Disk::kKerning))));
       draw_glyph(font, style, glyph, picture_a);
       drawn += picture_a.has_ink() ? 1u : 0u;
     }

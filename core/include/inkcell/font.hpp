@@ -33,6 +33,10 @@ struct FontPages {
   // The font that holds a glyph, which becomes its id there; null: there is no
   // such glyph. .notdef where the page cannot be read.
   const Font* (*page_of)(const FontPages& pages, uint32_t& glyph) noexcept;
+  // As Font::kerning(); 0 where it cannot be read.
+  int32_t (*kerning)(const FontPages& pages,
+                     uint16_t left,
+                     uint16_t right) noexcept;
 };
 class StoredStore;
 }  // namespace detail

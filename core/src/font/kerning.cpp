@@ -37,8 +37,10 @@ bool Kerning::open(const Span<const uint8_t>& section) noexcept {
 int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
   using detail::BitTable;
   detail::Kerning kerning;
-  if (left >= glyph_count_ || right >= glyph_count_ ||
-      !kerning.open(kerning_table())) {
+  if (left >= glyph_count_ || right >= glyph_count_) {
+    return is_paged_ != 0 ? pages().kerning(pages(), left, right) : 0;
+  }
+  if (!kerning.open(kerning_table())) {
     return 0;
   }
   const auto member = [&kerning](uint32_t glyph) noexcept {

@@ -6,7 +6,7 @@
 #include "inkcell/coding.hpp"
 #include "inkcell/format/paged.hpp"
 #include "inkcell/version.hpp"
-#include "rows/outline_source.hpp"
+#include "stored_source.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -16,32 +16,12 @@ namespace paged = format::paged;
 namespace entry = format::paged::entry;
 namespace trailer = format::paged::trailer;
 
-bool prepare_stored(GlyphJob& job,
-                    const GlyphRef& ref,
-                    const Placed& placed) noexcept {
-  const Source& outlines = *kOutlineCoding.source;
-  uint32_t glyph = ref.glyph;
-  const Font* const font =
-      StoredStore::font_to_draw(*static_cast<const Font*>(ref.from), glyph);
-  if (font == nullptr) {
-    return false;
-  }
-  // What follows comes from the page.
-  job.source = &outlines;
-  return outlines.prepare(job, {&outlines, font, static_cast<uint16_t>(glyph)},
-                          placed);
-}
-
-constexpr Source kStoredSource = {prepare_stored, nullptr, sizeof(OutlineJob),
-                                  false};
-constexpr Coding kStoredCoding = {static_cast<uint8_t>(format::Coding::outline),
-                                  &kStoredSource};
-
 }  // namespace
 
 Status StoredStore::open(const Storage& storage, Span<uint8_t> ram) noexcept {
   glyph_of = glyph_of_code;
   page_of = page_of_glyph;
+  kerning = kerning_of;
   storage_ = storage;
   stats_ = {};
   clock_ = 0;
@@ -74,13 +54,13 @@ Status StoredStore::read_header(uint32_t ram_bytes) noexcept {
   glyph_end_ = load_u16(at + paged::kGlyphEnd);
   levels_ = at[paged::kLevels];
   roots_ = at[paged::kRoots];
-  page_count_ = load_u32(at + paged::kPages);
+  page_count_ = load_u16(at + paged::kPages);
+  kern_end_ = load_u16(at + paged::kKernEnd);
   if (resident_bytes_ % 4 != 0 || resident_bytes_ > paged::kMaxResidentBytes ||
       block_bytes_ % paged::kMinBlockBytes != 0 || block_bytes_ == 0 ||
       block_bytes_ > paged::kMaxBlockBytes || font_offset_ % 4 != 0 ||
       font_offset_ > resident_bytes_ || levels_ > paged::kMaxLevels ||
-      paged::kBytes + roots_ * entry::kBytes > font_offset_ ||
-      page_count_ > paged::kMaxPages) {
+      paged::kBytes + roots_ * entry::kBytes > font_offset_) {
     return Status::corrupt;
   }
   const uint32_t crc =
@@ -239,7 +219,7 @@ bool StoredStore::slot_holds(uint32_t slot,
                              Key key,
                              uint32_t value) const noexcept {
   const uint32_t block = slots()[slot].block;
-  if (block <= index_counts_[0] + index_counts_[1]) {
+  if (block <= index_counts_[0] + index_counts_[1] || block > last_page()) {
     return false;
   }
   const uint8_t* const end = bytes_of(slot + 1) - trailer::kBytes;
@@ -378,8 +358,25 @@ const Font* StoredStore::font_to_draw(const Font& font,
   return glyph == 0 ? self.notdef(glyph) : nullptr;
 }
 
+// Few glyphs kern, and have the lowest ids: others need no read.
+int32_t StoredStore::kerning_of(const FontPages& pages,
+                                uint16_t left,
+                                uint16_t right) noexcept {
+  StoredStore& self = store_of(pages);
+  const uint8_t* const block = left < self.kern_end_ && right < self.kern_end_
+                                   ? self.load_index(self.last_page() + 1)
+                                   : nullptr;
+  if (block == nullptr) {
+    return 0;
+  }
+  Font font;
+  font.tables_[3] = {block, self.block_bytes_};
+  font.glyph_count_ = self.kern_end_;
+  return font.kerning(left, right);
+}
+
 Status StoredStore::verify() noexcept {
-  const uint32_t last = index_counts_[0] + index_counts_[1] + page_count_;
+  const uint32_t last = last_page() + (kern_end_ != 0 ? 1 : 0);
   const uint32_t slot = slot_count_ - 1;
   uint32_t crc = 0;
   for (uint32_t block = 1; block <= last; ++block) {

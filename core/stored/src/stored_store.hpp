@@ -44,6 +44,9 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
                               uint16_t& glyph) noexcept;
   static const Font* page_of_glyph(const FontPages& pages,
                                    uint32_t& glyph) noexcept;
+  static int32_t kerning_of(const FontPages& pages,
+                            uint16_t left,
+                            uint16_t right) noexcept;
 
   Status read_header(uint32_t ram_bytes) noexcept;
   Status open_font() noexcept;
@@ -61,6 +64,9 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
     return page_block_ != 0 && slots()[0].block == page_block_;
   }
   bool page_holds(uint32_t glyph) const noexcept;
+  uint32_t last_page() const noexcept {
+    return index_counts_[0] + index_counts_[1] + page_count_;
+  }
   const Font* notdef(uint32_t& glyph) noexcept;
 
   uint8_t* resident() const noexcept {
@@ -79,11 +85,12 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   StoredStats stats_;
   uint32_t clock_;
   uint32_t page_block_;       // that page_ is of; 0: none
-  uint32_t page_count_;       // of the file
   uint32_t index_counts_[2];  // blocks of the index from the root to the pages
   uint32_t slot_count_;
+  uint16_t page_count_;   // of the file
   uint16_t first_glyph_;  // of page_
   uint16_t glyph_end_;    // one more than the last id
+  uint16_t kern_end_;     // the same of the last one that kerns
   uint16_t resident_bytes_;
   uint16_t font_offset_;
   uint16_t block_bytes_;

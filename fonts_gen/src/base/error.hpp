@@ -38,7 +38,7 @@ struct Warning {
     no_outline,          // a glyph is a bitmap or in colour only: no ink
     unused_face,         // a merged face gives no character
     face_taken,          // the first of several, since none was chosen
-    no_kerning,          // a paged font leaves it out
+    no_kerning,          // a block of a paged font has no room for it
     default_instance,    // a variable font is converted at its defaults
     no_morph,            // a pair of glyphs has no morph
   };

@@ -1,6 +1,7 @@
 #include "judge/paged_check.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "base/error.hpp"
@@ -58,6 +59,46 @@ bool is_right(const Font& font,
            is_same(hint_record(content.hints.glyphs[source]), hint)));
 }
 
+// One character of each class, on a side.
+std::map<uint16_t, char32_t> characters_of_classes(
+    const RomContent& content, const std::vector<uint16_t>& classes) {
+  std::map<uint16_t, char32_t> found;
+  for (const auto& [code_point, glyph] : content.glyph_of) {
+    found.emplace(classes[glyph], code_point);
+  }
+  return found;
+}
+
+// As for fonts in mapped memory: the answer depends on the classes alone.
+bool is_kerning_right(const Font& font, const RomContent& content) {
+  const KerningMatrix& kerning = content.kerning;
+  if (kerning.empty()) {
+    return true;
+  }
+  const auto is_pair_right = [&](char32_t left, char32_t right) {
+    return font.kerning(font.glyph_or_notdef(left),
+                        font.glyph_or_notdef(right)) ==
+           kerning.value(content.glyph_of.at(left), content.glyph_of.at(right));
+  };
+  const auto lefts = characters_of_classes(content, kerning.left_class);
+  const auto rights = characters_of_classes(content, kerning.right_class);
+  for (const auto& [code_point, glyph] : content.glyph_of) {
+    const bool kerns =
+        kerning.left_class[glyph] != 0 || kerning.right_class[glyph] != 0;
+    for (const auto& [number, other] : rights) {
+      if (kerns && !is_pair_right(code_point, other)) {
+        return false;
+      }
+    }
+    for (const auto& [number, other] : lefts) {
+      if (kerns && !is_pair_right(other, code_point)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void check_paged_font(const std::vector<uint8_t>& bytes,
@@ -78,6 +119,9 @@ void check_paged_font(const std::vector<uint8_t>& bytes,
     if (wrong.empty() && !is_right(stored.font(), content, code_point, glyph)) {
       wrong = "the glyph of " + describe(code_point);
     }
+  }
+  if (wrong.empty() && !is_kerning_right(stored.font(), content)) {
+    wrong = "the kerning";
   }
   if (!wrong.empty()) {
     throw Error(content.name +

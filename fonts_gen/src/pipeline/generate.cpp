@@ -111,14 +111,18 @@ SourceFont load_source(const GenerateRequest& request,
   return font;
 }
 
-// Pairs would be of glyphs on different pages.
-void drop_kerning(RomContent& content, Warnings& warnings) {
-  if (!content.kerning.empty()) {
+// A block of a paged font holds all pairs, or none are there.
+void tell_of_kerning(RomContent& content,
+                     const PartBytes& parts,
+                     Warnings& warnings) {
+  if (!content.kerning.empty() && parts.kerning == 0) {
     warnings.push_back(
         {Warning::Kind::no_kerning,
-         content.name +
-             ": paged fonts do not kern; put letters that shall into a font "
-             "in mapped memory, and this one behind it as a fallback"});
+         content.name + ": no pair kerns, because a block of " +
+             std::to_string(content.block_bytes) +
+             " bytes has no room for all that do; use larger blocks, or put "
+             "letters into a font in mapped memory, and this one behind it as "
+             "a fallback"});
     content.kerning = {};
   }
 }
@@ -148,8 +152,8 @@ RomFont generate(const GenerateRequest& request) {
   content.options.tolerance = promised_tolerance(request.target, errors);
   PartBytes parts;
   if (request.paged != 0) {
-    drop_kerning(content, rom.warnings);
     rom.bytes = write_paged_font(content, parts);
+    tell_of_kerning(content, parts, rom.warnings);
     check_paged_font(rom.bytes, content);
   } else {
     rom.bytes = write_rom_font(content, parts);

@@ -35,8 +35,8 @@ RomGlyph bare(const RomGlyph& glyph) {
 
 struct Page {
   char32_t first_code_point = 0;
-  size_t glyphs = 0;  // without the empty glyph 0
-  Bytes bytes;        // a block but for first_glyph in its trailer
+  std::vector<uint16_t> glyphs;  // of the font, without the empty glyph 0
+  Bytes bytes;                   // a block but for first_glyph in its trailer
 };
 
 // Pages whose hints all have tables of one size, because the resident font,
@@ -128,7 +128,7 @@ class PageMaker {
     }
     Page page;
     page.first_code_point = characters.front().first;
-    page.glyphs = glyphs.size();
+    page.glyphs = glyphs;
     Bytes& out = *bytes;
     pad(out, 1);
     const size_t metrics = out.size();
@@ -209,7 +209,7 @@ std::vector<std::vector<Bytes>> index_levels(const std::vector<Page>& pages,
     put_u16(made, page.first_code_point & 0xffff);
     put_u16(made, page.first_code_point >> 16);
     levels[0].push_back(std::move(made));
-    first_glyph += page.glyphs;
+    first_glyph += page.glyphs.size();
   }
   while (levels.back().size() > most_roots) {
     std::vector<Bytes> above;
@@ -235,6 +235,44 @@ std::pair<PageMaker, std::vector<Page>> best_pages(const RomContent& content) {
   return std::move(*best);
 }
 
+// KERN of the ids of pages; empty if no pair kerns or a block has no room. Sets
+// kern_end of the header.
+Bytes kerning_block(const RomContent& content,
+                    const std::vector<Page>& pages,
+                    size_t first_glyph,
+                    Bytes& header) {
+  RomContent part;
+  part.name = content.name;
+  part.kerning = content.kerning;
+  if (content.kerning.empty()) {
+    return {};
+  }
+  std::vector<uint16_t>& left = part.kerning.left_class;
+  std::vector<uint16_t>& right = part.kerning.right_class;
+  left.assign(first_glyph, 0);
+  right.assign(first_glyph, 0);
+  size_t kern_end = 0;
+  for (const Page& page : pages) {
+    for (const uint16_t glyph : page.glyphs) {
+      left.push_back(content.kerning.left_class[glyph]);
+      right.push_back(content.kerning.right_class[glyph]);
+      if (left.back() != 0 || right.back() != 0) {
+        kern_end = left.size();
+      }
+    }
+  }
+  Bytes section;
+  if (kern_end != 0) {
+    section = kerning_section(part);
+  }
+  if (section.empty() || section.size() > content.block_bytes) {
+    return {};
+  }
+  set_u16(header, paged::kKernEnd, static_cast<unsigned>(kern_end));
+  section.resize(content.block_bytes);
+  return section;
+}
+
 }  // namespace
 
 std::vector<uint8_t> write_paged_font(const RomContent& content,
@@ -258,7 +296,7 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
       index_levels(pages, maker.slots(), room / entry::kBytes, fan_out);
   size_t glyph_end = maker.slots();
   for (const Page& page : pages) {
-    glyph_end += page.glyphs;
+    glyph_end += page.glyphs.size();
   }
   if (levels.size() > paged::kMaxLevels + 1 || glyph_end > UINT16_MAX) {
     throw Error(content.name + ": " + std::to_string(glyph_end) +
@@ -283,7 +321,8 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   set_u16(out, paged::kGlyphEnd, static_cast<unsigned>(glyph_end));
   out[paged::kLevels] = static_cast<uint8_t>(levels.size() - 1);
   out[paged::kRoots] = static_cast<uint8_t>(levels.back().size());
-  set_u32(out, paged::kPages, static_cast<uint32_t>(pages.size()));
+  set_u16(out, paged::kPages, static_cast<unsigned>(pages.size()));
+  const Bytes kerning = kerning_block(content, pages, maker.slots(), out);
   out.resize(block);
   for (size_t level = levels.size() - 1; level-- != 0;) {
     for (size_t i = 0; i < levels[level].size(); ++i) {
@@ -300,10 +339,12 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   for (Page& page : pages) {
     set_u16(page.bytes, block - trailer::kBytes + trailer::kFirstGlyph,
             static_cast<unsigned>(first_glyph));
-    first_glyph += page.glyphs;
+    first_glyph += page.glyphs.size();
     out.insert(out.end(), page.bytes.begin(), page.bytes.end());
   }
   parts.glyphs = out.size() - parts.total();
+  out.insert(out.end(), kerning.begin(), kerning.end());
+  parts.kerning = kerning.size();
   set_u32(out, paged::kContentCrc,
           crc32(out.data() + block, out.size() - block));
   set_u32(out, paged::kHeaderCrc,

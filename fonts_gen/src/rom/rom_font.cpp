@@ -69,6 +69,8 @@ std::vector<uint32_t> kerning_members(const KerningMatrix& kerning) {
   return members;
 }
 
+}  // namespace
+
 Bytes kerning_section(const RomContent& content) {
   const KerningMatrix& kerning = content.kerning;
   Bytes out;
@@ -115,6 +117,8 @@ Bytes kerning_section(const RomContent& content) {
   }
   return out;
 }
+
+namespace {
 
 // How GLYF counts its offsets.
 struct OffsetUnits {

@@ -25,14 +25,14 @@ inline constexpr uint32_t kFontOffset = 18;    // u16
 inline constexpr uint32_t kGlyphEnd = 20;      // u16
 inline constexpr uint32_t kLevels = 22;        // u8
 inline constexpr uint32_t kRoots = 23;         // u8
-inline constexpr uint32_t kPages = 24;         // u32
+inline constexpr uint32_t kPages = 24;         // u16
+inline constexpr uint32_t kKernEnd = 26;       // u16
 inline constexpr uint32_t kBytes = 28;
 
 inline constexpr uint32_t kMaxResidentBytes = 512;
 inline constexpr uint32_t kMinBlockBytes = 512;
 inline constexpr uint32_t kMaxBlockBytes = 4096;
 inline constexpr uint32_t kMaxLevels = 2;
-inline constexpr uint32_t kMaxPages = 65535;
 
 // An entry of the index, all of u16.
 namespace entry {

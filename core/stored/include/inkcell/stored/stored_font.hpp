@@ -75,9 +75,9 @@ class StoredFont {
                      StoredFont& out) noexcept;
 
   /// The font. It differs from others in this: glyph_count() is that of a page
-  /// at most, name() and record() are empty, no pair kerns, glyphs are not
-  /// prepared (PreparedGlyph) and have no fields, and verify() here is the one
-  /// that counts.
+  /// at most, name() and record() are empty, glyphs are not prepared
+  /// (PreparedGlyph) and have no fields, and verify() here is the one that
+  /// counts. A pair of glyphs that may kern is one more block.
   const Font& font() const noexcept;
 
   /// Why the first block failed since open() or clear(): read_failed, or
