@@ -10,6 +10,7 @@
 
 #include "canvas.hpp"
 #include "filters.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/shadow.hpp"
 
 namespace inkcell::tools {
@@ -75,6 +76,11 @@ void add_words(CLI::App& app,
       ->default_str(target);
 }
 
+// Whether the display's canvas decides.
+bool is_as_display(const LookOptions& options) {
+  return options.hint == "display" && options.levels != 256;
+}
+
 // Defaults for text are those of the library; those of jobs depend on their
 // kind.
 LookOptions fill_in(LookOptions options, Use use) {
@@ -96,11 +102,14 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "with --levels 2; area, exact, for --coding outline [text; "
                  "motion for jobs of kind anim]")
       ->type_name("NAME");
-  add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
+  add_words(app, "--hint", options.hint,
+            {"none", "vertical", "both", "auto", "display"},
             "Fit upright text of outlines to the pixel grid: none; vertical, "
             "heights; both, stems and advances too; auto, both below 12 px "
             "and with --levels 2 and 4, but in --jobs, and else vertical; "
-            "nothing of jobs of kind anim [none; auto with --jobs]");
+            "nothing of jobs of kind anim; display, as canvases of 1 and 2 "
+            "bits do by themselves, with --levels 2 and 4, and else none "
+            "[none; auto with --jobs]");
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
@@ -173,9 +182,12 @@ Look::Look(const LookOptions& asked,
       style_(make_style(px, angle, stroke_.outer)) {
   const LookOptions options = fill_in(asked, use);
   require_reach(options, font);
+  const bool is_plain = options.filter.empty() && options.weight == 0;
   if (options.filter == kArea) {
     require_area(options, font);
     style_ = make_style(px, angle, kFilterArea);
+  } else if (is_plain && is_as_display(options)) {
+    style_ = make_style(px, angle, kFilterArea);  // the default of styles
   }
   set_effect(options, font, use);
   if (font.check(style_) != Status::ok) {
@@ -208,7 +220,8 @@ void Look::require_area(const LookOptions& options, const Font& font) {
         "--filter area draws outlines, and this font has cells: make it by "
         "inkcell-fontgen --coding outline");
   }
-  if (options.weight != 0 || options.outline != 0 || options.levels != 256 ||
+  const bool has_levels = options.levels != 256 && !is_as_display(options);
+  if (options.weight != 0 || options.outline != 0 || has_levels ||
       options.lcd != "none") {
     throw std::runtime_error(
         "--filter area is exact coverage; --weight, --outline, --levels and "
@@ -293,6 +306,14 @@ void Look::set_levels(const LookOptions& options) {
         "--levels 2 draws without greys, where --filter changes nothing; leave "
         "out --filter, or use --levels 4");
   }
+  if (is_as_display(options)) {
+    const auto adapt = options.levels == 2
+                           ? inkcell::detail::adapt_to_two_levels
+                           : inkcell::detail::adapt_to_four_levels;
+    Style adapted;
+    style_ = adapt(style_, false, adapted);
+    return;
+  }
   bilevel_ =
       Bilevel(static_cast<uint8_t>(options.levels), to_q10(-options.weight));
   style_.set_effect(bilevel_);
@@ -327,7 +348,8 @@ void Look::set_motion(const LookOptions& options) {
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   const bool is_auto = options.hint == "auto";
-  if (options.hint == "none" || (is_auto && use == Use::moving)) {
+  if (options.hint == "none" || options.hint == "display" ||
+      (is_auto && use == Use::moving)) {
     return;
   }
   if (!font.has_outlines()) {

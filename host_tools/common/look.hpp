@@ -35,7 +35,7 @@ struct LookOptions {
   double weight = 0;   // [px]
   double outline = 0;  // its width [px]; 0: none
   std::string place = "centred";
-  int levels = 256;  // 2 and 4: bilevel
+  int levels = 256;  // 2 and 4: of displays of 1 and 2 bits
   std::string lcd = "none";
   double lcd_colour = 1;  // share that is kept
 };

@@ -198,9 +198,11 @@ const std::vector<SettingInfo>& setting_list() {
          s.filter = word_in(
              value, {"text", "motion", "paper_display", "paper_body", "area"});
        }},
-      {"hint", "NAME", "grid fitting: none, vertical, both or auto",
+      {"hint", "NAME",
+       "grid fitting: none, vertical, both, auto, or display, as its canvas",
        [](Settings& s, const std::string& value) {
-         s.hint = word_in(value, {"none", "vertical", "both", "auto"});
+         s.hint =
+             word_in(value, {"none", "vertical", "both", "auto", "display"});
        }},
       {"weight", "PX", "how far edges move outwards",
        [](Settings& s, const std::string& value) {

@@ -25,7 +25,7 @@ struct Settings {
   std::string coding = "outline";
   double px = 14;  // [px/em]
   std::string filter = "text";
-  std::string hint = "none";
+  std::string hint = "display";
   double weight = 0;   // [px]
   double angle = 0;    // counter-clockwise [degrees]
   double shift_x = 0;  // to the right, from the middle [px]

@@ -188,8 +188,8 @@ def check_latency(editor):
 
 def check_preview(editor, render):
     """The pixels of the preview are those of inkcell-render."""
-    for px, display, options in ((12, "mono", ("--levels", "2")),
-                                 (20, "mono", ("--levels", "2")),
+    mono = ("--levels", "2", "--hint", "display")
+    for px, display, options in ((12, "mono", mono), (20, "mono", mono),
                                  (16, "lcd", ("--lcd", "rgb"))):
         editor.run("open P.ufo", "glyph a", "text Haa",
                    f"preview {px} {display} dark", f"sizes {px}",

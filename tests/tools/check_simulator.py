@@ -101,7 +101,8 @@ class Text(Case):
             "--width", WIDTH, "--height", HEIGHT, f"--ox={x}", f"--oy={y}",
             "--wrap", WIDTH - 4, "--align", "centre", "--out", drawn,
             *options,
-            *(f"--{name}={value}" for name, value in settings.items()))
+            *(f"--{name}={value}"
+              for name, value in {"hint": "display", **settings}.items()))
         expected = read_pnm(drawn)
         self.assertIn((255, 255, 255), expected[2])
         self.assertEqual(shown, expected, f"{display} {settings}")
@@ -109,7 +110,7 @@ class Text(Case):
     def test_displays(self):
         for display, options in (("mono", ("--levels", 2)),
                                  ("mono_pages", ("--levels", 2)),
-                                 ("grey2", ("--levels", 4)),
+                                 ("grey2", ("--levels", 4, "--filter", "text")),
                                  ("grey8", ()),
                                  ("xrgb8888", ()),
                                  ("lcd", ("--lcd", "rgb"))):

@@ -39,6 +39,7 @@ tools::Image draw_on_display(const std::vector<uint8_t>& rom,
   const Font& font = file.font();
   tools::LookOptions options;
   tools::suit_display(display, options);
+  options.hint = "display";
   const tools::Look look(options, font, px, 0, tools::Use::text);
   const std::vector<tools::Line> lines =
       tools::lay_out_lines(font, text, tools::Kerning::font, look.style());

@@ -38,6 +38,7 @@ constexpr Named kFilters[] = {
     {"area", "area", "Exact coverage; of outlines, in grey and colour"},
 };
 constexpr Named kHints[] = {
+    {"display", "As device", "Both in 1 and 2 bits, by the canvas; else off"},
     {"none", "Off", "As designed"},
     {"vertical", "Heights", "Heights on whole pixels"},
     {"both", "Both", "Heights, stems and advances on whole pixels"},
