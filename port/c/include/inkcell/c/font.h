@@ -19,8 +19,8 @@ extern "C" {
 /// A view of a font in read-only memory, which must outlive it. Opaque. Empty,
 /// it has no glyphs.
 typedef struct INKCELL_SHARED inkcell_font_t {
-  const void* words[13];
-  uint32_t numbers[3];
+  const void* words[12];
+  uint32_t numbers[4];
 } inkcell_font_t;
 
 /// Measures of one glyph in font units, y up, origin on the baseline. The box
