@@ -12,7 +12,7 @@ foreach(folder core port/pixel port/display port/c port/lvgl port/make)
     DESTINATION ${sources}/${folder}
     FILES_MATCHING
       PATTERN "*.hpp" PATTERN "*.cpp" PATTERN "*.h" PATTERN "*.c"
-      PATTERN "CMakeLists.txt" PATTERN "*.cmake" PATTERN "*.mk")
+      PATTERN "CMakeLists.txt" PATTERN "*.cmake" PATTERN "*.mk" PATTERN "Makefile")
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/port/CMakeLists.txt
   DESTINATION ${sources}/port)
