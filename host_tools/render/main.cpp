@@ -214,6 +214,15 @@ void warn_of_size(const Font& font, double px) {
   }
 }
 
+// As a display of few levels stores them: text that is fitted as there covers
+// pixels in part.
+void round_to_levels(Image& image, int levels) {
+  const int step = 255 / (levels - 1);
+  for (uint8_t& value : image.pixels) {
+    value = static_cast<uint8_t>((value + step / 2) / step * step);
+  }
+}
+
 void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_image_file(arguments.out, arguments.look.lcd == "none" ? 1 : 3);
   check_apart({arguments.out}, {arguments.font});
@@ -248,6 +257,9 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
     SampleTotal total;
     add_samples(image, look, total);
     print_samples(total);
+  }
+  if (arguments.look.levels != 256) {
+    round_to_levels(image, arguments.look.levels);
   }
   if (arguments.inverted) {
     invert(image);
