@@ -18,9 +18,10 @@ using inkcell::Status;
 using inkcell::StoredFont;
 using inkcell::StoredStats;
 
-// Room for the glyphs of a line, each in another block, and for the index.
+// Room for the glyphs of a line, each on a page of its own that another block
+// of the index names.
 constexpr size_t kBlockBytes = 1024;
-constexpr size_t kBlocks = 16;
+constexpr size_t kBlocks = 32;
 
 alignas(8) uint8_t ram[StoredFont::ram_bytes(kBlockBytes, kBlocks)];
 
