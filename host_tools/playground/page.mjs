@@ -141,10 +141,10 @@ function open(font) {
 function setFont(font, text) {
   open(font);
   whole = font;
-  if (text) {
-    $('text').value = text;
-    $('glyph').value = [...text][0];
-  }
+  if (text) $('text').value = text;
+  // A glyph to look into: the one before, or one that the font has.
+  $('glyph').value = [$('glyph').value, ...$('text').value, ...'0Aa'].find((char) =>
+    char.trim() && core.has(char)) ?? $('glyph').value;
   $('font-label').textContent = font.label;
   $('title-bytes').textContent = `${(font.bytes.length / 1000).toFixed(1)} KB.`;
   $('built-in').hidden = font === builtIn;
