@@ -18,7 +18,7 @@ export async function launch(npm, address) {
   /** A page that is ready; `cores` for its workers; frames tell a time `late` ms ago. */
   async function open({hash = '', cores = 0, late = 0, ...options} = {}) {
     const page = await browser.newPage({reducedMotion: 'reduce', ...options});
-    page.setDefaultTimeout(120000);
+    page.setDefaultTimeout(600000);  // a machine may have other things to do
     page.on('pageerror', (error) => problems.push(error.message));
     page.on('console', (line) => {
       if (line.type() === 'error') problems.push(line.text());
@@ -68,6 +68,8 @@ export const shown = (page, id, width, height) => page.evaluate(([name, w, h]) =
 /** Chooses files, and waits for their font. */
 export async function convert(page, files, input = 'files') {
   const before = await page.getAttribute('#result', 'data-count') ?? '0';
+  // A refusal of the files before is none of these.
+  await page.evaluate(() => { document.getElementById('status').textContent = ''; });
   await page.setInputFiles(`#${input}`, files);
   await converted(page, before);
 }
