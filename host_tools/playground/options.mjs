@@ -6,7 +6,8 @@ export const isIcon = (name) => /\.svg$/i.test(name);
 /** @param {string} name */
 export const isFont = (name) => /\.(ttf|otf|ttc|otc|woff2?)$/i.test(name);
 /** @param {string} name */
-const isSource = (name) => /\.([ch]|cc|cpp|cxx|hh|hpp|hxx|ino)$/i.test(name);
+const isSource = (name) =>
+  /\.([ch]|cc|cpp|cxx|hh|hpp|hxx|ino|po|pot|ts|xml|arb|json|csv)$/i.test(name);
 
 /**
  * The names of the faces of a collection; no name if the file is none.
