@@ -20,7 +20,12 @@ class Canvas {
 
   const Rect& area() const { return area_; }
 
-  uint8_t at(int x, int y) const { return pixels_[index(x, y)]; }
+  uint8_t at(int x, int y) const { return *row(x, y); }
+
+  /// The pixels of a row from (x, y) on.
+  const uint8_t* row(int x, int y) const {
+    return pixels_.data() + index(x, y);
+  }
 
   Sink sink() {
     Sink sink;

@@ -42,31 +42,6 @@ int phases_at(int px, int phases) {
   return std::clamp(needed, 1, phases);
 }
 
-// One picture: where its pixels lie in the glyph.
-struct Setting {
-  int px = 0;
-  Phase phase = {0, 0};
-
-  double u_per_px() const { return 1024.0 / px; }
-  double x_u(int x) const { return (x + 0.5 - phase.x / 64.0) * u_per_px(); }
-  double y_u(int y) const { return (phase.y / 64.0 - y - 0.5) * u_per_px(); }
-
-  // The pixels whose centres are in `box` or less than kMargin_px around.
-  Rect pixels_of(const Box& box) const {
-    const double px_per_u = px / 1024.0;
-    const double dx = phase.x / 64.0 - 0.5;
-    const double dy = phase.y / 64.0 - 0.5;
-    return {above(box.x0 * px_per_u + dx - kMargin_px),
-            above(-box.y1 * px_per_u + dy - kMargin_px),
-            below(box.x1 * px_per_u + dx + kMargin_px) + 1,
-            below(-box.y0 * px_per_u + dy + kMargin_px) + 1};
-  }
-
- private:
-  static int above(double x) { return static_cast<int>(std::floor(x)) + 1; }
-  static int below(double x) { return static_cast<int>(std::ceil(x)) - 1; }
-};
-
 Rect join(const Rect& a, const Rect& b) {
   if (is_empty(a) || is_empty(b)) {
     return is_empty(a) ? b : a;
@@ -75,9 +50,20 @@ Rect join(const Rect& a, const Rect& b) {
           std::max(a.y1, b.y1)};
 }
 
-// The filter `text`, in real numbers. [1/255]
-double coverage(double distance_px) {
-  return 255 * std::clamp(0.5 + distance_px, 0.0, 1.0);
+inkcell::Point origin_of(const PictureSetting& setting) {
+  return {Q26_6::from_raw(setting.phase_x), Q26_6::from_raw(setting.phase_y)};
+}
+
+// How far the coverage of a pixel is from the filter `text` of the distance, in
+// real numbers. [1/255]
+double error_at(const PictureSetting& setting,
+                int x,
+                int y,
+                double drawn,
+                DistanceMap& map) {
+  const double distance_px =
+      map.distance(setting.x_u(x), setting.y_u(y)) / setting.u_per_px();
+  return std::fabs(drawn - 255 * std::clamp(0.5 + distance_px, 0.0, 1.0));
 }
 
 bool is_worse(const LoopMiss& a, const LoopMiss& b) {
@@ -86,7 +72,7 @@ bool is_worse(const LoopMiss& a, const LoopMiss& b) {
 
 // A pixel of a picture, and how wrong it is.
 struct WrongPixel {
-  Setting setting;
+  PictureSetting setting;
   int x = 0;
   int y = 0;
   double error = 0;  // [1/255]
@@ -123,7 +109,7 @@ class Gathering {
   }
 
   // A pixel counts for the worst; add_mean() has it count for the mean.
-  void add(const Setting& setting, int x, int y, double error) {
+  void add(const PictureSetting& setting, int x, int y, double error) {
     if (error > size_.worst) {
       size_.worst = error;
       worst_pixel_ = {setting, x, y, error};
@@ -137,6 +123,13 @@ class Gathering {
     if (error > options_.tolerance) {
       add_miss(miss_at({setting, x, y, error}));
     }
+  }
+
+  // Only pixels with larger errors matter, if the worst one of this size is at
+  // least so large. [1/255]
+  double least_that_matters(double worst) const {
+    return std::min(std::max(size_.worst, worst),
+                    kFollowed * options_.tolerance);
   }
 
   // Pixels to follow, the worst first.
@@ -180,7 +173,7 @@ class Gathering {
  private:
   // An octave of sizes, and the corner of a square of 1 to 2 px.
   using Place = std::array<int, 3>;
-  static Place place_of(const Setting& setting, int x, int y) {
+  static Place place_of(const PictureSetting& setting, int x, int y) {
     int octave = 0;
     std::frexp(setting.px, &octave);
     const double side_u = std::ldexp(2048, -octave);
@@ -189,7 +182,7 @@ class Gathering {
   }
 
   static LoopMiss miss_at(const WrongPixel& pixel) {
-    const Setting& setting = pixel.setting;
+    const PictureSetting& setting = pixel.setting;
     return {setting.x_u(pixel.x), setting.y_u(pixel.y), setting.px,
             pixel.error};
   }
@@ -225,37 +218,66 @@ class Gathering {
   double pixels_ = 0;
 };
 
-// Holds the pixels x0 <= x < x1 of a row against the truth.
-void compare_row(const Setting& setting,
-                 const Canvas& canvas,
-                 const Rect& pixels,
-                 int y,
-                 LoopTruth& truth,
-                 Gathering& gathering) {
-  const double half_px_u = setting.u_per_px() / 2;
-  const double y_u = setting.y_u(y);
-  double sum = 0;
-  for (int x = pixels.x0; x < pixels.x1; ++x) {
-    const double x_u = setting.x_u(x);
-    const DistanceMap::Bounds& bounds = truth.map.bounds(x_u, y_u);
-    double error = canvas.at(x, y);
-    if (bounds.low >= half_px_u) {
-      error = 255 - error;
-    } else if (bounds.high > -half_px_u) {
-      error = std::fabs(error - truth.next([&] {
-        return coverage(truth.map.distance(x_u, y_u) / setting.u_per_px());
-      }));
+// Errors of a row against a true picture. [1/255 / TruePictures::kUnit]
+struct RowErrors {
+  int most = 0;
+  int sum = 0;
+};
+
+RowErrors row_errors(const uint8_t* drawn, const int16_t* truth, int count) {
+  RowErrors errors;
+  for (int i = 0; i < count; ++i) {
+    const int error = std::abs(drawn[i] * TruePictures::kUnit - truth[i]);
+    errors.most = std::max(errors.most, error);
+    errors.sum += error;
+  }
+  return errors;
+}
+
+// Compares `pixels` of a picture with the near truth, and those that may matter
+// with the exact one.
+void compare_inked(const PictureSetting& setting,
+                   const Canvas& canvas,
+                   const Rect& pixels,
+                   LoopTruth& truth,
+                   Gathering& gathering) {
+  constexpr double kUnit = TruePictures::kUnit;
+  const int width = pixels.x1 - pixels.x0;
+  const int16_t* const picture = truth.pictures.next(setting, pixels);
+  const auto row_of = [&](int y) {
+    return picture + static_cast<ptrdiff_t>(y - pixels.y0) * width;
+  };
+  std::vector<int> most;  // of each row, [1/255 / kUnit]
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    const RowErrors errors =
+        row_errors(canvas.row(pixels.x0, y), row_of(y), width);
+    most.push_back(errors.most);
+    gathering.add_mean(errors.sum / kUnit, width);
+  }
+  // The worst pixel is at least so wrong.
+  const double worst =
+      (*std::max_element(most.begin(), most.end()) - TruePictures::kBound) /
+      kUnit;
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    const auto matters = [&](int near) {
+      return (near + TruePictures::kBound) / kUnit >=
+             gathering.least_that_matters(worst);
+    };
+    if (!matters(most[static_cast<size_t>(y - pixels.y0)])) {
+      continue;
     }
-    if (error > 0) {
-      sum += error;
-      gathering.add(setting, x, y, error);
+    for (int x = pixels.x0; x < pixels.x1; ++x) {
+      const int drawn = canvas.at(x, y);
+      if (matters(std::abs(drawn * TruePictures::kUnit -
+                           row_of(y)[x - pixels.x0]))) {
+        gathering.add(setting, x, y, error_at(setting, x, y, drawn, truth.map));
+      }
     }
   }
-  gathering.add_mean(sum, pixels.x1 - pixels.x0);
 }
 
 // No ink belongs to pixels x0 <= x < x1 of a row.
-void expect_nothing(const Setting& setting,
+void expect_nothing(const PictureSetting& setting,
                     const Canvas& canvas,
                     int x0,
                     int x1,
@@ -268,7 +290,7 @@ void expect_nothing(const Setting& setting,
   }
 }
 
-void compare(const Setting& setting,
+void compare(const PictureSetting& setting,
              const Canvas& canvas,
              const Rect& inked,
              LoopTruth* truth,
@@ -277,11 +299,13 @@ void compare(const Setting& setting,
   for (int y = area.y0; y < area.y1; ++y) {
     if (truth == nullptr || y < inked.y0 || y >= inked.y1) {
       expect_nothing(setting, canvas, area.x0, area.x1, y, gathering);
-      continue;
+    } else {
+      expect_nothing(setting, canvas, area.x0, inked.x0, y, gathering);
+      expect_nothing(setting, canvas, inked.x1, area.x1, y, gathering);
     }
-    expect_nothing(setting, canvas, area.x0, inked.x0, y, gathering);
-    compare_row(setting, canvas, inked, y, *truth, gathering);
-    expect_nothing(setting, canvas, inked.x1, area.x1, y, gathering);
+  }
+  if (truth != nullptr) {
+    compare_inked(setting, canvas, inked, *truth, gathering);
   }
 }
 
@@ -296,23 +320,17 @@ Style style_of(int px) {
 WrongPixel worst_around(const LoopGlyph& glyph,
                         DistanceMap& map,
                         const WrongPixel& middle) {
-  const Setting& setting = middle.setting;
+  const PictureSetting& setting = middle.setting;
   WrongPixel worst = {setting, middle.x, middle.y, 0};
   Canvas canvas(Rect{middle.x - 1, middle.y - 1, middle.x + 2, middle.y + 2});
-  glyph.draw(
-      style_of(setting.px),
-      {Q26_6::from_raw(setting.phase.x), Q26_6::from_raw(setting.phase.y)},
-      canvas.sink());
+  glyph.draw(style_of(setting.px), origin_of(setting), canvas.sink());
   for (int y = middle.y - 1; y < middle.y + 2; ++y) {
     for (int x = middle.x - 1; x < middle.x + 2; ++x) {
-      const double x_u = setting.x_u(x);
-      const double y_u = setting.y_u(y);
       // No ink belongs beyond the map, which reaches kMargin_px around it.
-      const double truth =
-          map.holds(x_u, y_u)
-              ? coverage(map.distance(x_u, y_u) / setting.u_per_px())
-              : 0;
-      const double error = std::fabs(canvas.at(x, y) - truth);
+      const double drawn = canvas.at(x, y);
+      const double error = map.holds(setting.x_u(x), setting.y_u(y))
+                               ? error_at(setting, x, y, drawn, map)
+                               : drawn;
       if (error > worst.error) {
         worst = {setting, x, y, error};
       }
@@ -330,8 +348,8 @@ WrongPixel at_size(const WrongPixel& pixel, int px) {
   result.x = static_cast<int>(std::ceil(x));
   result.y = static_cast<int>(std::ceil(y));
   result.setting.px = px;
-  result.setting.phase = {static_cast<int>(std::lround(64 * (result.x - x))),
-                          static_cast<int>(std::lround(64 * (result.y - y)))};
+  result.setting.phase_x = static_cast<int>(std::lround(64 * (result.x - x)));
+  result.setting.phase_y = static_cast<int>(std::lround(64 * (result.y - y)));
   return result;
 }
 
@@ -352,8 +370,8 @@ WrongPixel follow(const LoopGlyph& glyph,
       };
       for (int i = 0; i < 9; ++i) {
         WrongPixel beside = at;
-        beside.setting.phase.x += (i % 3 - 1) * step;
-        beside.setting.phase.y += (i / 3 - 1) * step;
+        beside.setting.phase_x += (i % 3 - 1) * step;
+        beside.setting.phase_y += (i / 3 - 1) * step;
         if (i != 4) {
           look_at(beside);
         }
@@ -408,16 +426,17 @@ LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
 LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
   Gathering gathering(options_);
   if (truth_) {
-    truth_->rewind();
+    truth_->pictures.rewind();
   }
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
     const Style style = style_of(px);
     gathering.begin(px);
     for (int i = 0; i < phases_at(px, options_.phases); ++i) {
-      const Setting setting{px, kPhases[static_cast<size_t>(i)]};
-      const inkcell::Point origin = {Q26_6::from_raw(setting.phase.x),
-                                     Q26_6::from_raw(setting.phase.y)};
-      const Rect inked = truth_ ? setting.pixels_of(shape_.box()) : Rect();
+      const Phase& phase = kPhases[static_cast<size_t>(i)];
+      const PictureSetting setting{px, phase.x, phase.y};
+      const inkcell::Point origin = origin_of(setting);
+      const Rect inked =
+          truth_ ? setting.pixels_of(shape_.box(), kMargin_px) : Rect();
       Canvas canvas(join(inked, glyph.box(style, origin)));
       glyph.draw(style, origin, canvas.sink());
       compare(setting, canvas, inked, truth_ ? &*truth_ : nullptr, gathering);

@@ -10,6 +10,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
+#include "judge/true_pictures.hpp"
 #include "shape/distance_map.hpp"
 #include "shape/shape.hpp"
 
@@ -48,7 +49,8 @@ struct LoopMiss {
 struct SizeError {
   int px = 0;
   double worst = 0;
-  /// Over the pixels whose centres lie in the ink box or up to 1.5 px around.
+  /// Over the pixels whose centres lie in the ink box or up to 1.5 px around,
+  /// with the truth of TruePictures.
   double mean = 0;
 };
 
@@ -74,40 +76,21 @@ struct LoopGlyph {
 /// 1/64, and `max_px`. Ascending.
 std::vector<int> loop_sizes(int min_px, int max_px);
 
-/// The picture that a glyph should be. Each drawing is compared in the same
-/// order, so that the coverage of pixels near the border is worked out once.
+/// What a glyph should be: nearly, for every pixel, and exactly, for those that
+/// matter.
 struct LoopTruth {
-  LoopTruth(const Shape& shape, double reach_u) : map(shape, reach_u) {}
+  LoopTruth(const Shape& shape, double reach_u)
+      : pictures(shape), map(shape, reach_u) {}
 
-  void rewind() { at_ = 0; }
-
-  /// The coverage of the next pixel near the border. [1/255]
-  template <typename Compute>
-  double next(const Compute& compute) {
-    const size_t at = at_++;
-    if (at < known_.size()) {
-      return known_[at];
-    }
-    const double coverage = compute();
-    if (at < kMostKnown) {
-      known_.push_back(coverage);
-    }
-    return coverage;
-  }
-
+  TruePictures pictures;
   DistanceMap map;
-
- private:
-  static constexpr size_t kMostKnown = size_t{1} << 21;
-
-  std::vector<double> known_;
-  size_t at_ = 0;
 };
 
 /// Draws a glyph with the device's own renderer, filter `text`, and compares
 /// each pixel with the coverage that the exact distance to the shape gives:
-/// 255 clamp(0.5 + distance in px), not rounded. A pixel that the device draws
-/// outside of the area of the mean counts for the worst one.
+/// 255 clamp(0.5 + distance in px), not rounded. The exact distance is only
+/// found where a near one shows that the pixel may matter. A pixel that the
+/// device draws outside of the area of the mean counts for the worst one.
 ///
 /// What is known of the shape is kept, so that asking again for another coding
 /// of the same glyph costs little more than the drawing. Not for several

@@ -21,26 +21,9 @@ DistanceMap::DistanceMap(const Shape& shape, double margin_u) {
   tiles_y_ = blocks_y * kBlockTiles;
   const double width_u =
       static_cast<double>(std::max(blocks_x, blocks_y)) * kBlock_u;
-  const Neighbourhood whole(shape, {x0_u_, y0_u_, width_u});
-  blocks_.reserve(blocks_x * blocks_y);
-  for (size_t y = 0; y < blocks_y; ++y) {
-    for (size_t x = 0; x < blocks_x; ++x) {
-      blocks_.push_back(
-          whole.part({x0_u_ + static_cast<double>(x) * kBlock_u,
-                      y0_u_ + static_cast<double>(y) * kBlock_u, kBlock_u}));
-    }
-  }
-  // Half the diagonal, rounded up.
-  constexpr double kReach_u = 0.7072 * kTile_u;
-  const size_t tiles = tiles_x_ * tiles_y_;
-  list_of_.resize(tiles);
-  bounds_.reserve(tiles);
-  for (size_t tile = 0; tile < tiles; ++tile) {
-    const Square square = square_of(tile);
-    const double centre = blocks_[block_of(tile)].distance(
-        square.x + kTile_u / 2, square.y + kTile_u / 2);
-    bounds_.push_back({centre - kReach_u, centre + kReach_u});
-  }
+  lists_.emplace_back(shape, Square{x0_u_, y0_u_, width_u});
+  blocks_.resize(blocks_x * blocks_y);
+  tiles_.resize(tiles_x_ * tiles_y_);
 }
 
 bool DistanceMap::holds(double x_u, double y_u) const {
@@ -50,23 +33,30 @@ bool DistanceMap::holds(double x_u, double y_u) const {
 }
 
 double DistanceMap::distance(double x_u, double y_u) {
-  const size_t tile = tile_of(x_u, y_u);
-  if (list_of_[tile] == 0) {
-    lists_.push_back(blocks_[block_of(tile)].part(square_of(tile)));
-    list_of_[tile] = static_cast<uint32_t>(lists_.size());
+  return list_of(tile_of(x_u, y_u)).distance(x_u, y_u);
+}
+
+const Neighbourhood& DistanceMap::list_of(size_t tile) {
+  if (tiles_[tile] == 0) {
+    const size_t column = tile % tiles_x_ / kBlockTiles;
+    const size_t row = tile / tiles_x_ / kBlockTiles;
+    uint32_t& block = blocks_[row * (tiles_x_ / kBlockTiles) + column];
+    const auto add_part = [&](uint32_t of, const Square& square) {
+      lists_.push_back(lists_[of].part(square));
+      return static_cast<uint32_t>(lists_.size() - 1);
+    };
+    if (block == 0) {
+      block = add_part(0, square_at(column, row, kTile_u * kBlockTiles));
+    }
+    tiles_[tile] =
+        add_part(block, square_at(tile % tiles_x_, tile / tiles_x_, kTile_u));
   }
-  return lists_[list_of_[tile] - 1].distance(x_u, y_u);
+  return lists_[tiles_[tile]];
 }
 
-Square DistanceMap::square_of(size_t tile) const {
-  return {x0_u_ + static_cast<double>(tile % tiles_x_) * kTile_u,
-          y0_u_ + static_cast<double>(tile / tiles_x_) * kTile_u, kTile_u};
-}
-
-size_t DistanceMap::block_of(size_t tile) const {
-  const size_t x = tile % tiles_x_ / kBlockTiles;
-  const size_t y = tile / tiles_x_ / kBlockTiles;
-  return y * (tiles_x_ / kBlockTiles) + x;
+Square DistanceMap::square_at(size_t column, size_t row, double size_u) const {
+  return {x0_u_ + static_cast<double>(column) * size_u,
+          y0_u_ + static_cast<double>(row) * size_u, size_u};
 }
 
 }  // namespace gen

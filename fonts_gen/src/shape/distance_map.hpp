@@ -1,4 +1,4 @@
-// Exact distances for very many queries, most of which need only bounds.
+// Exact distances for many queries.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,8 @@
 namespace inkcell {
 namespace gen {
 
-/// Square tiles around a shape. A distance changes by at most 1 u per u, so the
-/// one at a tile's centre bounds all others in it, to half the diagonal.
-/// Callers that only need the side of a ramp need no more. For the others a
-/// tile holds the list of edges that matter in it, made at the first query.
+/// Square tiles around a shape. A tile holds the list of edges that matter in
+/// it, made at the first query.
 ///
 /// Not thread-safe. Refers to the shape, which must not be empty and must
 /// outlive it.
@@ -25,15 +23,6 @@ class DistanceMap {
 
   /// Whether queries may be at a point.
   bool holds(double x_u, double y_u) const;
-
-  /// Bounds of the distances in a tile. [u]
-  struct Bounds {
-    double low = 0;
-    double high = 0;
-  };
-  const Bounds& bounds(double x_u, double y_u) const {
-    return bounds_[tile_of(x_u, y_u)];
-  }
 
   /// The same as Shape::distance.
   double distance(double x_u, double y_u);
@@ -49,17 +38,19 @@ class DistanceMap {
     const auto row = static_cast<size_t>((y_u - y0_u_) * (1 / kTile_u));
     return row * tiles_x_ + column;
   }
-  Square square_of(size_t tile) const;
-  size_t block_of(size_t tile) const;
+  // The square of `size_u` that begins so many such squares from the corner.
+  Square square_at(size_t column, size_t row, double size_u) const;
+  const Neighbourhood& list_of(size_t tile);
 
   double x0_u_ = 0;  // lower left corner of the first tile
   double y0_u_ = 0;
   size_t tiles_x_ = 0;
   size_t tiles_y_ = 0;
-  std::vector<Bounds> bounds_;         // of the tiles, row by row from below
-  std::vector<Neighbourhood> blocks_;  // row by row from below
-  std::vector<Neighbourhood> lists_;   // of tiles that were queried
-  std::vector<uint32_t> list_of_;      // of each tile in lists_, plus one
+  std::vector<Neighbourhood> lists_;  // the first is that of the whole
+  // Of each block and tile, row by row from below: its list, 0 if there is none
+  // yet.
+  std::vector<uint32_t> blocks_;
+  std::vector<uint32_t> tiles_;
 };
 
 }  // namespace gen
