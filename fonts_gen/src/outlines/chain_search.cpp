@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "shape/points.hpp"
 
@@ -199,8 +200,10 @@ bool ChainSearch::search(size_t first,
     return true;
   }
   const FixedControls fixed = fix(first, last, chain);
-  for (const FixedControls& variant : {fixed, FixedControls(controls)}) {
-    if (!fit_controls(span(first, last), variant, tolerance(first, last),
+  const FixedControls free(controls);
+  const FixedControls* const variants[] = {&fixed, &free};
+  for (size_t i = fixed.any() ? 0 : 1; i < std::size(variants); ++i) {
+    if (!fit_controls(span(first, last), *variants[i], tolerance(first, last),
                       chain)) {
       continue;
     }
@@ -216,9 +219,8 @@ bool ChainSearch::search(size_t first,
 
 bool ChainSearch::improve(size_t first, size_t last, Chain& chain) const {
   const double wanted = tolerance(first, last);
-  const SampleSpan source = span(first, last);
-  double best =
-      deviation(source, chain, kWorthMoving * wanted, scale_.chord_bound);
+  Deviation deviation(span(first, last), scale_.chord_bound);
+  double best = deviation.of(chain, kWorthMoving * wanted);
   if (best > kWorthMoving * wanted) {
     return false;
   }
@@ -230,7 +232,7 @@ bool ChainSearch::improve(size_t first, size_t last, Chain& chain) const {
             Point{-1, -1}, Point{1, -1}, Point{-1, 1}}) {
         const Point before = control;
         control = control + step;
-        const double d = deviation(source, chain, best, scale_.chord_bound);
+        const double d = deviation.of(chain, best);
         if (d < best) {
           best = d;
           moved = true;
@@ -252,7 +254,7 @@ bool ChainSearch::acceptable(size_t first,
                              const Chain& chain) const {
   const double wanted = tolerance(first, last);
   return !has_twins(chain) &&
-         deviation(span(first, last), chain, wanted, scale_.chord_bound) <=
+         Deviation(span(first, last), scale_.chord_bound).of(chain, wanted) <=
              wanted &&
          keeps_extremes(first, last, chain);
 }
@@ -306,10 +308,10 @@ Chain ChainSearch::nearest(size_t stretch) const {
   }
   curve.controls[0] = rounded(curve.controls[0]);
   const SampleSpan samples = span(stretch, stretch + 1);
-  return deviation(samples, curve, kAny, scale_.chord_bound) <
-                 deviation(samples, line, kAny, scale_.chord_bound)
-             ? curve
-             : line;
+  const auto deviation = [&](const Chain& chain) {
+    return Deviation(samples, scale_.chord_bound).of(chain, kAny);
+  };
+  return deviation(curve) < deviation(line) ? curve : line;
 }
 
 }  // namespace gen

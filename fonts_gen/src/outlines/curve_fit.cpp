@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
@@ -32,59 +31,18 @@ constexpr Round kRounds[] = {
 // Limits: no further round is needed.
 constexpr double kGoodEnough = 0.4;
 
+void set_chords(const Point* points, size_t count, ChordList& chords) {
+  chords.resize(count - 1);
+  for (size_t i = 0; i + 1 < count; ++i) {
+    const Point d = points[i + 1] - points[i];
+    chords[i] = {points[i], d, dot(d, d)};
+  }
+}
+
 Point on_quadratic(const Segment& q, double t) {
   const double s = 1 - t;
   return {s * s * q.p[0].x + 2 * s * t * q.p[1].x + t * t * q.p[2].x,
           s * s * q.p[0].y + 2 * s * t * q.p[1].y + t * t * q.p[2].y};
-}
-
-void flatten_chain(const Chain& chain,
-                   double bound,
-                   std::vector<Point>& points) {
-  points.clear();
-  points.push_back(chain.from);
-  for (size_t i = 0; i < chain.controls.size(); ++i) {
-    const Segment q = chain.quadratic(i);
-    const int chords = std::clamp(chord_count(q, bound), 4, kMostChords);
-    for (int k = 1; k <= chords; ++k) {
-      points.push_back(on_quadratic(q, static_cast<double>(k) / chords));
-    }
-  }
-  if (chain.controls.empty()) {
-    points.push_back(chain.to);
-  }
-}
-
-// The largest squared distance of `points` from the polygon, or a value above
-// `limit`. The nearest edge only moves forward, so that a point is not compared
-// with another part of a curve that comes back.
-double stray(const Point* points,
-             size_t count,
-             const Point* polygon,
-             size_t corners,
-             double limit) {
-  double worst = 0;
-  size_t edge = 0;
-  for (size_t i = 0; i < count; ++i) {
-    double best = std::numeric_limits<double>::infinity();
-    int farther = 0;
-    for (size_t k = edge; k + 1 < corners; ++k) {
-      const double d =
-          squared_distance_to_segment(points[i], polygon[k], polygon[k + 1]);
-      if (d < best) {
-        best = d;
-        edge = k;
-        farther = 0;
-      } else if (best <= limit && ++farther == kFarther) {
-        break;
-      }
-    }
-    worst = std::max(worst, best);
-    if (worst > limit) {
-      break;
-    }
-  }
-  return worst;
 }
 
 // Points at equal distances along the samples, without the ends.
@@ -122,34 +80,32 @@ double find_places(const std::vector<Point>& points,
                    const Chain& chain,
                    std::vector<Place>& places) {
   constexpr int kSteps = 8;
-  static thread_local std::vector<Point> polygon;
-  polygon.assign(1, chain.from);
+  static thread_local std::vector<Point> corners;
+  static thread_local ChordList polygon;
+  corners.assign(1, chain.from);
   for (size_t i = 0; i < chain.controls.size(); ++i) {
     const Segment q = chain.quadratic(i);
     for (int k = 1; k <= kSteps; ++k) {
-      polygon.push_back(on_quadratic(q, static_cast<double>(k) / kSteps));
+      corners.push_back(on_quadratic(q, static_cast<double>(k) / kSteps));
     }
   }
+  set_chords(corners.data(), corners.size(), polygon);
   double most = 0;
   size_t edge = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    double best = std::numeric_limits<double>::infinity();
+    double best = kInfinity;
     size_t nearest = edge;
-    for (size_t k = edge; k + 1 < polygon.size(); ++k) {
-      const double d =
-          squared_distance_to_segment(points[i], polygon[k], polygon[k + 1]);
+    for (size_t k = edge; k < polygon.size(); ++k) {
+      const double d = polygon[k].squared_distance(points[i]);
       if (d < best) {
         best = d;
         nearest = k;
       }
     }
     edge = nearest;
-    const Point d = polygon[edge + 1] - polygon[edge];
-    const double size = dot(d, d);
+    const auto& [a, d, size] = polygon[edge];
     const double t =
-        size > 0
-            ? std::clamp(dot(points[i] - polygon[edge], d) / size, 0.0, 1.0)
-            : 0;
+        size > 0 ? std::clamp(dot(points[i] - a, d) / size, 0.0, 1.0) : 0;
     const Point along = direction(d);
     places[i].parameter = (static_cast<double>(edge) + t) / kSteps;
     places[i].normal = {-along.y, along.x};
@@ -304,21 +260,98 @@ Segment Chain::quadratic(size_t i) const {
   return segment;
 }
 
-double deviation(const SampleSpan& source,
-                 const Chain& chain,
-                 double limit,
-                 double bound) {
-  static thread_local std::vector<Point> polygon;
-  flatten_chain(chain, bound, polygon);
-  const double most = limit * limit;
-  const double there =
-      stray(polygon.data(), polygon.size(), source.first, source.count, most);
-  if (there > most) {
-    return std::sqrt(there);
+Deviation::Deviation(const SampleSpan& source, double bound)
+    : source_(source), bound_(bound) {
+  set_chords(source.first, source.count, source_chords_);
+}
+
+void Deviation::flatten(const Chain& chain) {
+  points_.clear();
+  points_.push_back(chain.from);
+  for (size_t i = 0; i < chain.controls.size(); ++i) {
+    const Segment q = chain.quadratic(i);
+    const int chords = std::clamp(chord_count(q, bound_), 4, kMostChords);
+    for (int k = 1; k <= chords; ++k) {
+      points_.push_back(on_quadratic(q, static_cast<double>(k) / chords));
+    }
   }
-  return std::sqrt(std::max(
-      there,
-      stray(source.first, source.count, polygon.data(), polygon.size(), most)));
+  if (chain.controls.empty()) {
+    points_.push_back(chain.to);
+  }
+  set_chords(points_.data(), points_.size(), chords_);
+}
+
+// The farthest of `points` from the polygon, or one above `limit`. The nearest
+// edge only moves forward, so that a point is not compared with another part of
+// a curve that comes back.
+Deviation::Stray Deviation::stray(const Point* points,
+                                  size_t count,
+                                  const ChordList& polygon,
+                                  double limit) {
+  Stray worst;
+  size_t edge = 0;
+  for (size_t i = 0; i < count; ++i) {
+    double best = kInfinity;
+    int farther = 0;
+    for (size_t k = edge; k < polygon.size(); ++k) {
+      const double d = polygon[k].squared_distance(points[i]);
+      if (d < best) {
+        best = d;
+        edge = k;
+        farther = 0;
+      } else if (best <= limit && ++farther == kFarther) {
+        break;
+      }
+    }
+    if (best > worst.square) {
+      worst = {best, i};
+      if (best > limit) {
+        break;
+      }
+    }
+  }
+  return worst;
+}
+
+double Deviation::nearest(const Point& p, const ChordList& polygon) {
+  double best = kInfinity;
+  for (const Chord& chord : polygon) {
+    best = std::min(best, chord.squared_distance(p));
+  }
+  return best;
+}
+
+// No more than the deviation of the chain.
+double Deviation::at_witness() const {
+  if (witness_ == Witness::source) {
+    return nearest(source_.first[witness_point_], chords_);
+  }
+  return witness_ == Witness::chain && witness_point_ < points_.size()
+             ? nearest(points_[witness_point_], source_chords_)
+             : 0;
+}
+
+double Deviation::of(const Chain& chain, double limit) {
+  flatten(chain);
+  const double there = std::sqrt(at_witness());
+  if (there >= limit) {
+    return there;
+  }
+  const double most = limit * limit;
+  const Stray of_chain =
+      stray(points_.data(), points_.size(), source_chords_, most);
+  if (of_chain.square > most) {
+    return std::sqrt(of_chain.square);
+  }
+  const Stray of_source = stray(source_.first, source_.count, chords_, most);
+  const bool chain_is_worse = of_chain.square > of_source.square;
+  const Stray& worst = chain_is_worse ? of_chain : of_source;
+  const double deviation = std::sqrt(worst.square);
+  if (deviation < limit) {
+    witness_ = chain_is_worse ? Witness::chain : Witness::source;
+    witness_point_ = worst.point;
+  }
+  return deviation;
 }
 
 bool fit_controls(const SampleSpan& source,

@@ -1,10 +1,12 @@
 // Fits a line, or a chain of quadratics, to a stretch of samples.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "shape/outline.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -26,18 +28,72 @@ struct SampleSpan {
   size_t count;  // 2 or more
 };
 
-/// The larger of two distances: of the samples from the chain, and of the chain
-/// from the samples' polygon, both in order along the curve. Curves become
-/// chords within `bound`. Stops above `limit` and returns a value above it.
-double deviation(const SampleSpan& source,
-                 const Chain& chain,
-                 double limit,
-                 double bound);
+/// The line a + t d, t = 0..1.
+struct Chord {
+  Point a;
+  Point d;
+  double size = 0;  // |d|^2
+
+  double squared_distance(const Point& p) const {
+    const Point r = p - a;
+    double t = size > 0 ? dot(r, d) / size : 0;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    const Point e = r - t * d;
+    return dot(e, e);
+  }
+};
+using ChordList = std::vector<Chord>;
+
+/// The distances of chains from samples of the source.
+class Deviation {
+ public:
+  /// Curves become chords within `bound`. Refers to the samples.
+  Deviation(const SampleSpan& source, double bound);
+
+  /// The larger of two distances: of the samples from the chain, and of the
+  /// chain from the samples' polygon, both in order along the curve. If that is
+  /// not below `limit`, stops early and returns any value that is not.
+  ///
+  /// Looks first where the last chain with a result below its limit was worst:
+  /// quick for chains that are a little worse.
+  double of(const Chain& chain, double limit);
+
+ private:
+  // A point, and its squared distance from a polygon.
+  struct Stray {
+    double square = 0;
+    size_t point = 0;
+  };
+  static Stray stray(const Point* points,
+                     size_t count,
+                     const ChordList& polygon,
+                     double limit);
+  static double nearest(const Point& p, const ChordList& polygon);
+
+  void flatten(const Chain& chain);
+  double at_witness() const;
+
+  SampleSpan source_;
+  double bound_;
+  ChordList source_chords_;
+  std::vector<Point> points_;  // of the chain's chords
+  ChordList chords_;
+  // A point of the source, or of the chain.
+  enum class Witness { none, source, chain } witness_ = Witness::none;
+  size_t witness_point_ = 0;
+};
 
 /// Coordinates of controls that are not free.
 struct FixedControls {
   explicit FixedControls(size_t controls)
       : x(controls, false), y(controls, false), at(controls) {}
+
+  bool any() const {
+    const auto any_of = [](const std::vector<bool>& fixed) {
+      return std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+    };
+    return any_of(x) || any_of(y);
+  }
 
   std::vector<bool> x;
   std::vector<bool> y;

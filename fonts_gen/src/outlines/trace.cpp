@@ -240,7 +240,7 @@ class Tracer {
     const bool fits =
         last - first < kFewestSamples ||
         (fit_controls(span, FixedControls(1), bound, chain) &&
-         deviation(span, chain, bound, scale_.chord_bound) <= bound);
+         Deviation(span, scale_.chord_bound).of(chain, bound) <= bound);
     if (fits && !(care == Care::exact && whole && last - first > 1)) {
       append(samples, first, last);
       trace_.stretches.push_back({Stretch::Kind::other, {}, care});
