@@ -21,7 +21,7 @@ QEMU = ROOT / "boards/common/qemu_run.sh"
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
 # The most code of the smallest program of 1 bit. [bytes]
-MOST_LEAST = 14600
+MOST_LEAST = 14900
 # What the table may be off by. [bytes]
 SPREAD = {"code": 100, "constants": 100, "RAM": 50, "stack": 32}
 
