@@ -3,20 +3,9 @@
 #include "bits.hpp"
 
 namespace inkcell::gen::test {
-namespace {
-
-int log2_of(size_t size) {
-  int bits = 0;
-  while (size >> bits > 1) {
-    ++bits;
-  }
-  return bits;
-}
-
-}  // namespace
-
 MinimalOutline read_outline(const std::vector<uint8_t>& record,
-                            const std::vector<uint16_t>& table,
+                            const std::vector<uint16_t>& tables,
+                            int code_bits,
                             GridPosition start,
                             int most_points) {
   Bits bits(record);
@@ -24,12 +13,14 @@ MinimalOutline read_outline(const std::vector<uint8_t>& record,
   if (bits.u(1) != 1) {
     return outline;
   }
-  const int code_bits = log2_of(table.size());
+  size_t table = 0;
   GridPosition at = start;
   bool begins = true;
   for (int i = 0; i < most_points; ++i) {
     const size_t place = bits.at();
-    const int entry = table[static_cast<size_t>(bits.u(code_bits))];
+    const int entry =
+        tables[(table << code_bits) + static_cast<size_t>(bits.u(code_bits))];
+    table ^= static_cast<size_t>(entry >> 13);
     bits.seek(place + static_cast<size_t>(entry & 7));
     const int kind = entry >> 3 & 3;
     if (kind == 3) {

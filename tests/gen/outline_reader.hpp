@@ -11,10 +11,11 @@ namespace inkcell::gen::test {
 
 inline constexpr PointKind kCorner = PointKind::corner;
 
-/// The outline of a record. Stops after `most_points`, including one closing
-/// point a contour.
+/// The outline of a record; tables have 2^code_bits entries each. Stops after
+/// `most_points`, including one closing point a contour.
 MinimalOutline read_outline(const std::vector<uint8_t>& record,
-                            const std::vector<uint16_t>& table,
+                            const std::vector<uint16_t>& tables,
+                            int code_bits,
                             GridPosition start,
                             int most_points);
 

@@ -121,9 +121,9 @@ struct Digits {
     }
     const auto grid_shift =
         static_cast<int8_t>(font.rom()[format::header::kGridShift]);
-    return read_outline(bytes_of(font.record(id)), table,
-                        record_start(metrics.x_min, metrics.y_min, grid_shift),
-                        10000);
+    return read_outline(
+        bytes_of(font.record(id)), table, font.rom()[format::header::kCodeBits],
+        record_start(metrics.x_min, metrics.y_min, grid_shift), 10000);
   }
 
   std::vector<uint32_t> words;

@@ -125,7 +125,7 @@ TEST(OutlineCode, FindsTheWordOfFewestBits) {
                                            {WordKind::end, 0, 0}};
   const OutlineCode code(4, symbols, {1, 2, 3, 3});
   const auto found = [&code](WordKind kind, int dx, int dy) {
-    const CodeWord* word = code.find({kind, dx, dy});
+    const CodeWord* word = code.find(OutlineStep{kind, dx, dy}, 0);
     return word == nullptr ? -1 : word->total_bits();
   };
   EXPECT_EQ(found(WordKind::corner, 0, 7), 8);

@@ -73,11 +73,13 @@ TEST(OutlineRecord, RandomOutlinesAreReadAsWritten) {
     EXPECT_GE(record.at(0), 0x80);
     EXPECT_NE(record.back(), 0);
     EXPECT_LE(record.size(), (outline_bits(steps, code) + 7) / 8);
-    EXPECT_TRUE(
-        same(read_outline(record, code.table(), start, point_count(steps)),
-             outline));
+    EXPECT_TRUE(same(read_outline(record, code.table(), code.code_bits(), start,
+                                  point_count(steps)),
+                     outline));
     // One point less, and the last contour does not end.
-    EXPECT_EQ(read_outline(record, code.table(), start, 1).contours.size(), 1u);
+    EXPECT_EQ(read_outline(record, code.table(), code.code_bits(), start, 1)
+                  .contours.size(),
+              1u);
   }
 }
 
@@ -98,6 +100,60 @@ TEST(OutlineRecord, AnyOtherGlyphOfTheFontMayUseTheCode) {
     bits -= 1 + last_end;
   }
   EXPECT_EQ(bits, stream_bits(counts, code));
+}
+
+// Strokes as of hanzi: steps along one axis follow those along the other.
+MinimalOutline random_boxes(std::mt19937& random) {
+  MinimalOutline outline;
+  const auto below = [&random](unsigned n) {
+    return static_cast<int>(random() % n);
+  };
+  for (int i = 0; i < 4; ++i) {
+    const int x = below(900);
+    const int y = below(900);
+    const int width = 60 + below(20);
+    const int length = 100 + below(700);
+    const int right = x + (i % 2 == 0 ? width : length);
+    const int top = y + (i % 2 == 0 ? length : width);
+    outline.contours.push_back({{{x, y, kCorner},
+                                 {right, y, kCorner},
+                                 {right, top, kCorner},
+                                 {x, top, kCorner}}});
+  }
+  return outline;
+}
+
+TEST(OutlineRecord, StrokesAreReadByTheTablesOfTheStepsBefore) {
+  std::mt19937 random(9);
+  std::vector<MinimalOutline> outlines;
+  StepCounts counts;
+  for (int i = 0; i < 500; ++i) {
+    outlines.push_back(random_boxes(random));
+    counts.add(outline_steps(outlines.back(), {0, 0}));
+  }
+  const OutlineCode code = make_outline_code(counts);
+  EXPECT_GT(code.table_count(), 1u);
+  EXPECT_EQ(code.table().size(), code.table_count() << code.code_bits());
+  // 16 entries are a table.
+  const OutlineCode single = make_outline_code(counts, 16);
+  EXPECT_EQ(single.table_count(), 1u);
+  EXPECT_LT(stream_bits(counts, code), stream_bits(counts, single) * 9 / 10);
+  size_t shared = 0;
+  for (size_t table = 0; table < code.table_count(); ++table) {
+    for (const CodeWord& word : code.words(table)) {
+      EXPECT_TRUE(word.symbol.kind != WordKind::end || word.word == 0);
+      shared += word.shares_bit ? 1u : 0u;
+    }
+  }
+  EXPECT_GT(shared, 0u);
+  for (const MinimalOutline& outline : outlines) {
+    const std::vector<OutlineStep> steps = outline_steps(outline, {0, 0});
+    const std::vector<uint8_t> record = outline_record(steps, code);
+    EXPECT_LE(record.size(), (outline_bits(steps, code) + 7) / 8);
+    EXPECT_TRUE(same(read_outline(record, code.table(), code.code_bits(),
+                                  {0, 0}, point_count(steps)),
+                     outline));
+  }
 }
 
 TEST(OutlineRecord, BeginsAtTheBoxRoundedDownToTheGrid) {
@@ -289,7 +345,8 @@ TEST(OutlineRecord, TheExampleIsThatOfTheDocument) {
   const std::vector<OutlineStep> steps = outline_steps(triangle, {20, 0});
   const std::vector<uint8_t> record = outline_record(steps, code);
   EXPECT_EQ(record, bytes_of_document("#### Example of an outline"));
-  EXPECT_TRUE(same(read_outline(record, code.table(), {20, 0}, 4), triangle));
+  EXPECT_TRUE(
+      same(read_outline(record, code.table(), 2, {20, 0}, 4), triangle));
   std::vector<uint8_t> table;
   for (const uint16_t entry : code.table()) {
     table.push_back(static_cast<uint8_t>(entry));

@@ -56,6 +56,10 @@ constexpr double kShare = 32.0 / 16.0;
 // rounded by half of a unit.
 constexpr double kCoarsest = 1.1;
 
+// So does one this much coarser on which the source's own points lie: what lies
+// along an axis is not rounded at all, and the loop refits what is.
+constexpr double kCoarsestOwn = 2.2;
+
 // From a contour to the next, and from the corner of the box to the first; the
 // box may be wider than the outline by a unit at each side. [grid units]
 constexpr double kLongestStep =
@@ -345,7 +349,8 @@ RefitOptions refit_options(const Target& options,
   refit.grid_shift = format::outline::kMinGridShift;
   while (refit.grid_shift < format::outline::kMaxGridShift &&
          (std::ldexp(unit_u, refit.grid_shift + 1) <=
-              kCoarsest * refit.tolerance_u ||
+              (refit.grid_shift < 0 ? kCoarsestOwn : kCoarsest) *
+                  refit.tolerance_u ||
           largest_u > std::ldexp(unit_u, refit.grid_shift) * kLongestStep)) {
     ++refit.grid_shift;
   }

@@ -4,39 +4,15 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
+
+#include "outlines/table_code.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-// The smallest table to try. Smaller ones cannot distinguish the kinds of
-// points.
-constexpr int kLeastCodeBits = 4;
-
 constexpr uint64_t kImpossible = std::numeric_limits<uint64_t>::max();
-
-// n log2(n) [Q8], in integers so that all machines agree.
-uint64_t n_log_n_q8(uint64_t n) {
-  if (n < 2) {
-    return 0;
-  }
-  int whole = 0;
-  while (n >> (whole + 1) != 0) {
-    ++whole;
-  }
-  // Squaring the mantissa, 1 to 2, doubles its logarithm.
-  uint64_t mantissa_q30 = whole <= 30 ? n << (30 - whole) : n >> (whole - 30);
-  uint64_t log_q8 = static_cast<uint64_t>(whole);
-  for (int i = 0; i < 8; ++i) {
-    mantissa_q30 = mantissa_q30 * mantissa_q30 >> 30;
-    log_q8 <<= 1;
-    if (mantissa_q30 >> 31 != 0) {
-      log_q8 |= 1;
-      mantissa_q30 >>= 1;
-    }
-  }
-  return n * log_q8;
-}
 
 // A kind and widths of points, and their count.
 struct Pair {
@@ -45,40 +21,27 @@ struct Pair {
   uint64_t n_log_n_q8;  // of the count
 };
 
-bool covers(const CodeSymbol& wide, const CodeSymbol& narrow) {
-  return wide.kind == narrow.kind && wide.x_bits >= narrow.x_bits &&
-         wide.y_bits >= narrow.y_bits;
-}
-
 bool same(const CodeSymbol& a, const CodeSymbol& b) {
   return a.kind == b.kind && a.x_bits == b.x_bits && a.y_bits == b.y_bits;
 }
 
-std::vector<Pair> pairs_of(const StepCounts& counts) {
+std::vector<Pair> pairs_of(const ClassCounts& counts) {
   std::vector<Pair> pairs;
-  for (int kind = 0; kind < 3; ++kind) {
-    for (int x = 0; x <= kMostStepBits; ++x) {
-      for (int y = 0; y <= kMostStepBits; ++y) {
-        const CodeSymbol symbol{static_cast<WordKind>(kind), x, y};
-        const uint64_t count = counts.points(
-            symbol.kind, static_cast<size_t>(x), static_cast<size_t>(y));
-        if (count != 0) {
-          pairs.push_back({symbol, count, n_log_n_q8(count)});
-        }
-      }
-    }
+  for (const auto& [symbol, count] : counts.points) {
+    pairs.push_back({symbol, count, n_log_n_q8(count)});
   }
   return pairs;
 }
 
-// Searches for the symbols of a code. Lists of symbols do not contain `end`; it
-// is appended when lengths are computed.
+// Searches for the symbols of a code of one table: joins pairs of widths, then
+// improves single symbols. Lists of symbols do not contain `end`; it is
+// appended when lengths are computed.
 class CodeSearch {
  public:
   using Symbols = std::vector<CodeSymbol>;
 
-  CodeSearch(const StepCounts& counts, int most_bits)
-      : pairs_(pairs_of(counts)), ends_(counts.ends()), most_bits_(most_bits) {}
+  CodeSearch(const ClassCounts& counts, int most_bits)
+      : pairs_(pairs_of(counts)), ends_(counts.ends), most_bits_(most_bits) {}
 
   OutlineCode run() const {
     uint64_t best_bits = kImpossible;
@@ -342,16 +305,91 @@ std::vector<Item> package(const std::vector<uint64_t>& sorted,
 
 }  // namespace
 
-void StepCounts::add(const std::vector<OutlineStep>& steps) {
-  for (size_t i = 0; i < steps.size(); ++i) {
-    const OutlineStep& step = steps[i];
-    if (step.kind != WordKind::end) {
-      ++points_[static_cast<size_t>(step.kind)][static_cast<size_t>(
-          step_bits(step.dx))][static_cast<size_t>(step_bits(step.dy))];
-    } else if (i + 1 < steps.size()) {
-      ++ends_;
+uint64_t n_log_n_q8(uint64_t n) {
+  if (n < 2) {
+    return 0;
+  }
+  int whole = 0;
+  while (n >> (whole + 1) != 0) {
+    ++whole;
+  }
+  // Squaring the mantissa, 1 to 2, doubles its logarithm.
+  uint64_t mantissa_q30 = whole <= 30 ? n << (30 - whole) : n >> (whole - 30);
+  uint64_t log_q8 = static_cast<uint64_t>(whole);
+  for (int i = 0; i < 8; ++i) {
+    mantissa_q30 = mantissa_q30 * mantissa_q30 >> 30;
+    log_q8 <<= 1;
+    if (mantissa_q30 >> 31 != 0) {
+      log_q8 |= 1;
+      mantissa_q30 >>= 1;
     }
   }
+  return n * log_q8;
+}
+
+CodeSymbol symbol_of(const OutlineStep& step) {
+  const int first = step.dx != 0 ? step.dx : step.dy;
+  return {step.kind, step_bits(step.dx), step_bits(step.dy),
+          (first > 0 ? 1 : 0) - (first < 0 ? 1 : 0)};
+}
+
+bool covers(const CodeSymbol& wide, const CodeSymbol& narrow) {
+  return wide.kind == narrow.kind && wide.x_bits >= narrow.x_bits &&
+         wide.y_bits >= narrow.y_bits &&
+         (wide.sign == 0 ||
+          (wide.sign == narrow.sign && class_of(wide) == class_of(narrow)));
+}
+
+size_t class_of(const CodeSymbol& symbol) {
+  if (symbol.kind == WordKind::end) {
+    return kStartClass;
+  }
+  size_t direction = 0;
+  if (symbol.sign != 0) {
+    direction = symbol.y_bits == 0 ? 1 : symbol.x_bits == 0 ? 2 : 3;
+    direction += symbol.sign < 0 ? 3 : 0;
+  }
+  return 1 + 7 * static_cast<size_t>(symbol.kind) + direction;
+}
+
+bool ClassCounts::Less::operator()(const CodeSymbol& a,
+                                   const CodeSymbol& b) const {
+  return std::tie(a.kind, a.x_bits, a.y_bits, a.sign) <
+         std::tie(b.kind, b.x_bits, b.y_bits, b.sign);
+}
+
+void ClassCounts::add(const ClassCounts& other) {
+  for (const auto& [symbol, count] : other.points) {
+    points[symbol] += count;
+  }
+  ends += other.ends;
+  has_end = has_end || other.has_end;
+}
+
+void StepCounts::add(const std::vector<OutlineStep>& steps) {
+  size_t before = kStartClass;
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const CodeSymbol symbol = symbol_of(steps[i]);
+    ClassCounts& counts = after_[before];
+    if (symbol.kind == WordKind::end) {
+      counts.has_end = true;
+      counts.ends += i + 1 < steps.size() ? 1u : 0u;
+    } else {
+      ++counts.points[symbol];
+    }
+    before = class_of(symbol);
+  }
+}
+
+ClassCounts StepCounts::all() const {
+  ClassCounts all;
+  for (const ClassCounts& counts : after_) {
+    for (const auto& [symbol, count] : counts.points) {
+      all.points[{symbol.kind, symbol.x_bits, symbol.y_bits}] += count;
+    }
+    all.ends += counts.ends;
+  }
+  return all;
 }
 
 std::vector<int> limited_lengths(const std::vector<uint64_t>& counts,
@@ -396,11 +434,12 @@ std::vector<int> limited_lengths(const std::vector<uint64_t>& counts,
 OutlineCode::OutlineCode(int code_bits,
                          const std::vector<CodeSymbol>& symbols,
                          const std::vector<int>& lengths)
-    : code_bits_(code_bits) {
+    : code_bits_(code_bits), tables_(1) {
+  Words& words = tables_.front();
   for (size_t i = 0; i < symbols.size(); ++i) {
-    words_.push_back({symbols[i], lengths[i], 0});
+    words.push_back({symbols[i], lengths[i], 0});
   }
-  std::stable_sort(words_.begin(), words_.end(),
+  std::stable_sort(words.begin(), words.end(),
                    [](const CodeWord& a, const CodeWord& b) {
                      const bool is_end = a.symbol.kind == WordKind::end;
                      if (is_end || b.symbol.kind == WordKind::end) {
@@ -411,31 +450,49 @@ OutlineCode::OutlineCode(int code_bits,
   // Table entries in use. Words after `end` may be longer than it. As the code
   // is complete, each word still begins at a multiple of its entries.
   int used = 0;
-  for (CodeWord& word : words_) {
+  for (CodeWord& word : words) {
     word.word = used >> (code_bits - word.length);
     used += 1 << (code_bits - word.length);
   }
 }
 
+OutlineCode::OutlineCode(int code_bits,
+                         std::vector<Words> tables,
+                         const TableOfClass& table_of_class)
+    : code_bits_(code_bits),
+      tables_(std::move(tables)),
+      table_of_class_(table_of_class) {
+  for (Words& words : tables_) {
+    for (CodeWord& word : words) {
+      word.next_table = table_after(class_of(word.symbol));
+    }
+  }
+}
+
 std::vector<uint16_t> OutlineCode::table() const {
   std::vector<uint16_t> entries;
-  for (const CodeWord& word : words_) {
-    const int entry = word.length | static_cast<int>(word.symbol.kind) << 3 |
-                      word.symbol.x_bits << 5 | word.symbol.y_bits << 9;
-    entries.insert(entries.end(),
-                   size_t{1} << static_cast<size_t>(code_bits_ - word.length),
-                   static_cast<uint16_t>(entry));
+  for (size_t table = 0; table < tables_.size(); ++table) {
+    for (const CodeWord& word : tables_[table]) {
+      const int skipped = word.length - (word.shares_bit ? 1 : 0);
+      const auto change = static_cast<int>(table ^ word.next_table);
+      const int entry = skipped | static_cast<int>(word.symbol.kind) << 3 |
+                        word.symbol.x_bits << 5 | word.symbol.y_bits << 9 |
+                        change << 13;
+      entries.insert(entries.end(),
+                     size_t{1} << static_cast<size_t>(code_bits_ - word.length),
+                     static_cast<uint16_t>(entry));
+    }
+    // A code of one word.
+    entries.resize((table + 1) << code_bits_, entries.back());
   }
-  // A code of one word.
-  entries.resize(size_t{1} << code_bits_, entries.back());
   return entries;
 }
 
-const CodeWord* OutlineCode::find(const OutlineStep& step) const {
-  const CodeSymbol needed{step.kind, step_bits(step.dx), step_bits(step.dy)};
+const CodeWord* OutlineCode::find(const CodeSymbol& symbol,
+                                  size_t table) const {
   const CodeWord* best = nullptr;
-  for (const CodeWord& word : words_) {
-    if (covers(word.symbol, needed) &&
+  for (const CodeWord& word : tables_[table]) {
+    if (covers(word.symbol, symbol) &&
         (best == nullptr || word.total_bits() < best->total_bits())) {
       best = &word;
     }
@@ -443,8 +500,19 @@ const CodeWord* OutlineCode::find(const OutlineStep& step) const {
   return best;
 }
 
-OutlineCode make_outline_code(const StepCounts& counts, int most_bits) {
-  return CodeSearch(counts, most_bits).run();
+OutlineCode make_outline_code(const StepCounts& counts, size_t most_entries) {
+  int most_bits = kLeastCodeBits;
+  while (most_bits < kMostCodeBits && size_t{2} << most_bits <= most_entries) {
+    ++most_bits;
+  }
+  const OutlineCode single = CodeSearch(counts.all(), most_bits).run();
+  const std::optional<OutlineCode> several =
+      make_table_code(counts, most_entries);
+  const auto bits = [&counts](const OutlineCode& code) {
+    return stream_bits(counts, code) + 16 * code.table().size();
+  };
+  return several && bits(*several) * 20 <= bits(single) * 19 ? *several
+                                                             : single;
 }
 
 OutlineCode widest_outline_code() {
@@ -459,14 +527,19 @@ OutlineCode widest_outline_code() {
 }
 
 uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code) {
-  uint64_t bits =
-      counts.ends() * static_cast<uint64_t>(code.words().front().length + 1);
-  for (const Pair& pair : pairs_of(counts)) {
-    const int x = pair.symbol.x_bits;
-    const int y = pair.symbol.y_bits;
-    const OutlineStep step{pair.symbol.kind, x == 0 ? 0 : -(1 << (x - 1)),
-                           y == 0 ? 0 : -(1 << (y - 1))};
-    bits += pair.count * static_cast<uint64_t>(code.find(step)->total_bits());
+  uint64_t bits = 0;
+  for (size_t i = 0; i < kStepClasses; ++i) {
+    const ClassCounts& after = counts.after()[i];
+    const size_t table = code.table_after(i);
+    const auto bits_of = [&](const CodeSymbol& symbol) {
+      return static_cast<uint64_t>(code.find(symbol, table)->total_bits());
+    };
+    for (const auto& [symbol, count] : after.points) {
+      bits += count * bits_of(symbol);
+    }
+    if (after.ends != 0) {
+      bits += after.ends * (bits_of({WordKind::end, 0, 0}) + 1);
+    }
   }
   return bits;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "outlines/outline_steps.hpp"
@@ -15,35 +16,63 @@ struct CodeSymbol {
   WordKind kind;
   int x_bits;  // 0..15
   int y_bits;
+  int sign = 0;  // of the first number that has bits, 1 or -1; 0: either
 };
+
+/// The symbol of exactly this step.
+CodeSymbol symbol_of(const OutlineStep& step);
+
+/// Whether steps of `narrow` may be written by the word of `wide`.
+bool covers(const CodeSymbol& wide, const CodeSymbol& narrow);
 
 /// A symbol and its word: the lowest `length` bits of `word`.
 struct CodeWord {
   CodeSymbol symbol;
   int length;
   int word;
+  bool shares_bit = false;  // its last bit is the first one of the number
+  size_t next_table = 0;
 
   /// Bits of a point with this word, or of the word of `end` alone.
-  int total_bits() const { return length + symbol.x_bits + symbol.y_bits; }
+  int total_bits() const {
+    return length - (shares_bit ? 1 : 0) + symbol.x_bits + symbol.y_bits;
+  }
 };
 
-/// How often each kind of step with each pair of widths occurs.
+/// What a step says about the next one: its kind, whether it goes along an
+/// axis, and the sign of its first number.
+size_t class_of(const CodeSymbol& symbol);
+inline constexpr size_t kStepClasses = 3 * 7 + 1;
+/// That of the beginning of a record, and of an end.
+inline constexpr size_t kStartClass = 0;
+
+/// How often each kind of step with each pair of widths occurs, after steps of
+/// one class.
+struct ClassCounts {
+  struct Less {
+    bool operator()(const CodeSymbol& a, const CodeSymbol& b) const;
+  };
+
+  std::map<CodeSymbol, uint64_t, Less> points;
+  uint64_t ends = 0;
+  bool has_end = false;  // perhaps only of a record
+
+  void add(const ClassCounts& other);
+};
+
+/// How often each kind of step occurs in a font.
 class StepCounts {
  public:
-  static constexpr size_t kWidths = kMostStepBits + 1;
-
-  /// Adds the steps of a glyph, without the last `end`: it is all zeros, like
-  /// the bits after a record, so it costs nearly nothing.
+  /// Adds the steps of a glyph. The last `end` does not count: it is all zeros,
+  /// like the bits after a record, so it costs nearly nothing.
   void add(const std::vector<OutlineStep>& steps);
 
-  uint64_t ends() const { return ends_; }
-  uint64_t points(WordKind kind, size_t x_bits, size_t y_bits) const {
-    return points_[static_cast<size_t>(kind)][x_bits][y_bits];
-  }
+  const std::array<ClassCounts, kStepClasses>& after() const { return after_; }
+  /// After any class, without signs.
+  ClassCounts all() const;
 
  private:
-  uint64_t points_[3][kWidths][kWidths] = {};
-  uint64_t ends_ = 0;
+  std::array<ClassCounts, kStepClasses> after_;
 };
 
 /// The lengths of a prefix code with the fewest bits and words of at most
@@ -53,41 +82,64 @@ class StepCounts {
 /// `counts` has at most 2^most entries.
 std::vector<int> limited_lengths(const std::vector<uint64_t>& counts, int most);
 
-/// A complete prefix code. The word of `end` is all zeros.
+/// Complete prefix codes, one a table. The word of `end` is all zeros.
 class OutlineCode {
  public:
-  /// Assigns words: `end` first, then from the longest to the shortest.
-  /// `symbols` contains `end`; `lengths` come from limited_lengths().
+  using Words = std::vector<CodeWord>;
+  using TableOfClass = std::array<size_t, kStepClasses>;
+
+  /// A single table. Assigns words: `end` first, then from the longest to the
+  /// shortest. `symbols` contains `end`; `lengths` come from limited_lengths().
   OutlineCode(int code_bits,
               const std::vector<CodeSymbol>& symbols,
               const std::vector<int>& lengths);
 
-  int code_bits() const { return code_bits_; }
-  /// By ascending words; the first is `end`.
-  const std::vector<CodeWord>& words() const { return words_; }
+  /// 1, 2, 4 or 8 tables with words; records begin with table 0. Sets their
+  /// `next_table`.
+  OutlineCode(int code_bits,
+              std::vector<Words> tables,
+              const TableOfClass& table_of_class);
 
-  /// The 2^code_bits entries of section CODE.
+  int code_bits() const { return code_bits_; }
+  size_t table_count() const { return tables_.size(); }
+  /// By ascending words; the first is `end` if the table has one.
+  const Words& words(size_t table = 0) const { return tables_[table]; }
+
+  /// The entries of section CODE, 2^code_bits a table.
   std::vector<uint16_t> table() const;
 
-  /// The word with the fewest bits for `step`, or null if none fits.
-  const CodeWord* find(const OutlineStep& step) const;
+  /// The word of a table with the fewest bits for `step`, or null if none fits.
+  const CodeWord* find(const OutlineStep& step, size_t table) const {
+    return find(symbol_of(step), table);
+  }
+  const CodeWord* find(const CodeSymbol& symbol, size_t table) const;
+
+  /// The table of a word after a step of this class.
+  size_t table_after(size_t step_class) const {
+    return table_of_class_[step_class];
+  }
 
  private:
   int code_bits_;
-  std::vector<CodeWord> words_;
+  std::vector<Words> tables_;
+  TableOfClass table_of_class_ = {};
 };
 
-/// The code with the smallest table and streams for `counts`, as far as the
-/// search finds it. Joins pairs of widths, then improves single symbols. The
-/// same counts give the same code on every machine. Words have `most_bits` bits
-/// at most, 4..7.
-OutlineCode make_outline_code(const StepCounts& counts, int most_bits = 7);
+/// The code with the smallest tables and streams for `counts`, as far as the
+/// search finds it. The same counts give the same code on every machine. Words
+/// have 4 bits or more, and tables `most_entries` together, 16..1024. Several
+/// tables must save a twentieth, as they cost instructions.
+OutlineCode make_outline_code(const StepCounts& counts,
+                              size_t most_entries = 1024);
+
+/// n log2(n) [Q8], in integers so that all machines agree.
+uint64_t n_log_n_q8(uint64_t n);
 
 /// A code for all possible steps, without a search: for trials, whose picture
 /// does not depend on the code.
 OutlineCode widest_outline_code();
 
-/// Bits of the streams for `counts`, without the table.
+/// Bits of the streams for `counts`, without the tables.
 uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code);
 
 }  // namespace inkcell::gen

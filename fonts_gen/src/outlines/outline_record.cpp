@@ -11,8 +11,10 @@ namespace {
 
 constexpr int kTypeComposite = 3;
 
-const CodeWord& word_of(const OutlineStep& step, const OutlineCode& code) {
-  const CodeWord* word = code.find(step);
+const CodeWord& word_of(const OutlineStep& step,
+                        const OutlineCode& code,
+                        size_t table) {
+  const CodeWord* word = code.find(step, table);
   if (word == nullptr) {
     throw GeometryError(GeometryError::Kind::too_large,
                         "no code word holds the step " +
@@ -44,14 +46,17 @@ std::vector<uint8_t> outline_record(const std::vector<OutlineStep>& steps,
                                     const OutlineCode& code) {
   BitWriter bits;
   bits.put(1, 1);
+  size_t table = 0;
   for (size_t i = 0; i < steps.size(); ++i) {
-    const CodeWord& word = word_of(steps[i], code);
-    bits.put(word.word, word.length);
+    const CodeWord& word = word_of(steps[i], code, table);
+    const int shared = word.shares_bit ? 1 : 0;
+    bits.put(word.word >> shared, word.length - shared);
     bits.put(steps[i].dx, word.symbol.x_bits);
     bits.put(steps[i].dy, word.symbol.y_bits);
     if (steps[i].kind == WordKind::end) {
       bits.put(i + 1 < steps.size() ? 1 : 0, 1);
     }
+    table = word.next_table;
   }
   return bits.take();
 }
@@ -59,9 +64,12 @@ std::vector<uint8_t> outline_record(const std::vector<OutlineStep>& steps,
 size_t outline_bits(const std::vector<OutlineStep>& steps,
                     const OutlineCode& code) {
   int bits = 1;
+  size_t table = 0;
   for (const OutlineStep& step : steps) {
-    bits += word_of(step, code).total_bits();
+    const CodeWord& word = word_of(step, code, table);
+    bits += word.total_bits();
     bits += step.kind == WordKind::end ? 1 : 0;
+    table = word.next_table;
   }
   return static_cast<size_t>(bits);
 }

@@ -315,7 +315,7 @@ RomContent build_content(SourceFont& font,
     if (request.paged != 0) {
       // The resident part holds the code, and no record leaves its page.
       content.block_bytes = static_cast<size_t>(request.paged);
-      content.outlines.most_code_bits = 6;
+      content.outlines.most_entries = 64;
     } else {
       encode_outlines(content);
       find_references(font.components, content);

@@ -69,7 +69,7 @@ void encode(RomContent& content, const MakeCode& make_code) {
 
 void encode_outlines(RomContent& content) {
   encode(content, [&content](const StepCounts& counts) {
-    return make_outline_code(counts, content.outlines.most_code_bits);
+    return make_outline_code(counts, content.outlines.most_entries);
   });
 }
 

@@ -36,7 +36,8 @@ struct OutlineCoding {
   int grid_shift = 0;
   int code_bits = 0;
   int max_points = 0;
-  int most_code_bits = 7;  // that encode_outlines() may take
+  size_t most_entries =
+      1024;  // of all tables; encode_outlines() may take so many
   std::vector<uint16_t> table;
 };
 
