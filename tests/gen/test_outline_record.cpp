@@ -142,6 +142,7 @@ TEST(OutlineRecord, StrokesAreReadByTheTablesOfTheStepsBefore) {
   for (size_t table = 0; table < code.table_count(); ++table) {
     for (const CodeWord& word : code.words(table)) {
       EXPECT_TRUE(word.symbol.kind != WordKind::end || word.word == 0);
+      EXPECT_GT(word.length, word.shares_bit ? 1 : 0);
       shared += word.shares_bit ? 1u : 0u;
     }
   }

@@ -7,6 +7,7 @@
 #include "outlines/table_code.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -103,17 +104,52 @@ struct TablePlan {
   uint64_t bits = std::numeric_limits<uint64_t>::max();  // of streams
 };
 
+// The symbols of one class, and the two of them that lose least as one.
+class ClassShares {
+ public:
+  void add(const Share& share) { shares_.push_back(share); }
+  void find_pair() {
+    loss_ = kNoPair;
+    for (size_t i = 0; i < shares_.size(); ++i) {
+      for (size_t j = i + 1; j < shares_.size(); ++j) {
+        const int64_t loss = loss_q8(shares_[i], shares_[j]);
+        if (loss < loss_) {
+          loss_ = loss;
+          first_ = i;
+          second_ = j;
+        }
+      }
+    }
+  }
+  void join_pair() {
+    shares_[first_] = joined(shares_[first_], shares_[second_]);
+    shares_.erase(shares_.begin() + static_cast<ptrdiff_t>(second_));
+    find_pair();
+  }
+
+  static constexpr int64_t kNoPair = std::numeric_limits<int64_t>::max();
+  int64_t loss() const { return loss_; }
+  const std::vector<Share>& shares() const { return shares_; }
+
+ private:
+  std::vector<Share> shares_;
+  int64_t loss_ = kNoPair;
+  size_t first_ = 0;
+  size_t second_ = 0;
+};
+
 // The plan of a table for each width from kLeastCodeBits on.
 class TableSearch {
  public:
-  explicit TableSearch(const ClassCounts& counts) : counts_(counts) {
+  explicit TableSearch(const ClassCounts& counts) {
     for (const auto& [symbol, count] : counts.points) {
-      shares_.push_back({symbol, count});
+      classes_[class_of(symbol)].add({symbol, count});
+    }
+    for (ClassShares& shares : classes_) {
+      shares.find_pair();
     }
     do {
-      for (int bits = kLeastCodeBits; bits <= kMostCodeBits; ++bits) {
-        try_shares(bits);
-      }
+      try_shares(counts);
     } while (join_two());
   }
 
@@ -122,62 +158,52 @@ class TableSearch {
   }
 
  private:
-  void try_shares(int code_bits) {
-    const size_t size = shares_.size() + (counts_.has_end ? 1 : 0);
-    if (size > size_t{1} << code_bits) {
-      return;
-    }
+  void try_shares(const ClassCounts& of) {
     TablePlan found;
     std::vector<uint64_t> counts;
-    for (const Share& share : shares_) {
-      found.symbols.push_back(share.symbol);
-      counts.push_back(share.count);
+    for (const ClassShares& shares : classes_) {
+      for (const Share& share : shares.shares()) {
+        found.symbols.push_back(share.symbol);
+        counts.push_back(share.count);
+      }
     }
-    if (counts_.has_end) {
+    if (of.has_end) {
       found.symbols.push_back({WordKind::end, 0, 0});
-      counts.push_back(counts_.ends);
+      counts.push_back(of.ends);
     }
-    found.lengths = limited_lengths(counts, code_bits);
-    found.bits = counts_.ends;
-    for (size_t i = 0; i < size; ++i) {
-      found.bits += counts[i] * static_cast<uint64_t>(
-                                    found.lengths[i] +
-                                    std::max(0, number_bits(found.symbols[i])));
-    }
-    TablePlan& best = plans_[static_cast<size_t>(code_bits - kLeastCodeBits)];
-    if (found.bits < best.bits) {
-      best = std::move(found);
+    for (int bits = kLeastCodeBits; bits <= kMostCodeBits; ++bits) {
+      if (counts.size() > size_t{1} << bits) {
+        continue;
+      }
+      found.lengths = limited_lengths(counts, bits);
+      found.bits = of.ends;
+      for (size_t i = 0; i < counts.size(); ++i) {
+        found.bits +=
+            counts[i] * static_cast<uint64_t>(found.lengths[i] +
+                                              number_bits(found.symbols[i]));
+      }
+      TablePlan& best = plans_[static_cast<size_t>(bits - kLeastCodeBits)];
+      if (found.bits < best.bits) {
+        best = found;
+      }
     }
   }
 
   // Joins the two symbols of a class that lose least. False: there are none.
   bool join_two() {
-    int64_t least = std::numeric_limits<int64_t>::max();
-    size_t a = 0;
-    size_t b = 0;
-    for (size_t i = 0; i < shares_.size(); ++i) {
-      for (size_t j = i + 1; j < shares_.size(); ++j) {
-        if (class_of(shares_[i].symbol) != class_of(shares_[j].symbol)) {
-          continue;
-        }
-        const int64_t loss = loss_q8(shares_[i], shares_[j]);
-        if (loss < least) {
-          least = loss;
-          a = i;
-          b = j;
-        }
-      }
-    }
-    if (b == 0) {
+    ClassShares& least =
+        *std::min_element(classes_.begin(), classes_.end(),
+                          [](const ClassShares& a, const ClassShares& b) {
+                            return a.loss() < b.loss();
+                          });
+    if (least.loss() == ClassShares::kNoPair) {
       return false;
     }
-    shares_[a] = joined(shares_[a], shares_[b]);
-    shares_.erase(shares_.begin() + static_cast<ptrdiff_t>(b));
+    least.join_pair();
     return true;
   }
 
-  const ClassCounts& counts_;
-  std::vector<Share> shares_;
+  std::array<ClassShares, kStepClasses> classes_;
   TablePlan plans_[kMostCodeBits - kLeastCodeBits + 1];
 };
 
@@ -219,13 +245,17 @@ class WordTree {
   };
 
   Node leaf(size_t i) const {
-    const CodeSymbol& symbol = words_[i].symbol;
-    const bool is_end = symbol.kind == WordKind::end;
+    const CodeWord& word = words_[i];
+    if (word.symbol.kind == WordKind::end) {
+      return {{i}, Side::left, true};
+    }
+    // A reader skips a bit at least.
+    const int sign = word.length > 1 ? word.symbol.sign : 0;
     return {{i},
-            is_end || symbol.sign > 0 ? Side::left
-            : symbol.sign < 0         ? Side::right
-                                      : Side::any,
-            is_end};
+            sign > 0   ? Side::left
+            : sign < 0 ? Side::right
+                       : Side::any,
+            false};
   }
 
   // The nodes above, each with two of this level.
