@@ -22,7 +22,7 @@ RefittedGlyph refit(const Outline& source) {
   metrics.x_max = static_cast<int16_t>(std::ceil(shape.box().x1));
   metrics.y_max = static_cast<int16_t>(std::ceil(shape.box().y1));
   return refit_glyph(source, shape, metrics,
-                     refit_options(target, kUnitsPerEm, kUnitsPerEm),
+                     refit_options(target, kUnitsPerEm, kUnitsPerEm, false),
                      LoopOptions());
 }
 
@@ -48,6 +48,13 @@ TEST(RefitGlyph, WhatHoldsAtOnceIsDrawnOnce) {
   EXPECT_EQ(glyph.trials, 1);
   EXPECT_EQ(points_of(glyph.outline), 4u);
   EXPECT_LE(glyph.errors.worst, 16);
+}
+
+// At 64 px half a unit of 1000 is finer than the tolerance needs.
+TEST(RefitGlyph, GridsAreThoseOfTheSource) {
+  const Target target;
+  EXPECT_EQ(refit_options(target, 1000, 1000, true).grid_shift, 0);
+  EXPECT_EQ(refit_options(target, 1000, 1000, false).grid_shift, -1);
 }
 
 // A counter that a variable font turned inside out, except for a sliver.

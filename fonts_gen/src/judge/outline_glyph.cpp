@@ -56,8 +56,8 @@ constexpr double kShare = 32.0 / 16.0;
 // rounded by half of a unit.
 constexpr double kCoarsest = 1.1;
 
-// So does one this much coarser on which the source's own points lie: what lies
-// along an axis is not rounded at all, and the loop refits what is.
+// So does one of font units that is this coarse if the source's points lie on
+// them: what lies along an axis is not rounded, and the loop refits what is.
 constexpr double kCoarsestOwn = 2.2;
 
 // From a contour to the next, and from the corner of the box to the first; the
@@ -341,7 +341,8 @@ class Trials {
 
 RefitOptions refit_options(const Target& options,
                            int units_per_em,
-                           double largest_u) {
+                           double largest_u,
+                           bool is_on_units) {
   RefitOptions refit;
   refit.units_per_em = units_per_em;
   refit.tolerance_u = kShare * options.tolerance / options.max_px;
@@ -349,7 +350,7 @@ RefitOptions refit_options(const Target& options,
   refit.grid_shift = format::outline::kMinGridShift;
   while (refit.grid_shift < format::outline::kMaxGridShift &&
          (std::ldexp(unit_u, refit.grid_shift + 1) <=
-              (refit.grid_shift < 0 ? kCoarsestOwn : kCoarsest) *
+              (is_on_units && refit.grid_shift < 0 ? kCoarsestOwn : kCoarsest) *
                   refit.tolerance_u ||
           largest_u > std::ldexp(unit_u, refit.grid_shift) * kLongestStep)) {
     ++refit.grid_shift;

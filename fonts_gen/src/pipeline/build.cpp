@@ -101,6 +101,27 @@ double largest_side(const SourceFont& font) {
   return largest;
 }
 
+// Whether nearly all points lie on whole or half font units, as a file has
+// them; those of icons and of a variable font that was moved do not.
+bool is_on_units(const SourceFont& font) {
+  size_t on = 0;
+  size_t all = 0;
+  const double halves = 2 * font.metrics.units_per_em / kUPerEm;
+  const auto is_whole = [](double value) {
+    return std::abs(value - std::round(value)) < 1.0 / 64;
+  };
+  for (const SourceGlyph& glyph : font.glyphs) {
+    for (const Contour& contour : glyph.outline.contours) {
+      for (const Segment& segment : contour.segments) {
+        const Point& end = segment.p[1 + static_cast<size_t>(segment.kind)];
+        on += is_whole(end.x * halves) && is_whole(end.y * halves) ? 1u : 0u;
+        ++all;
+      }
+    }
+  }
+  return 10 * on >= 9 * all;
+}
+
 // `image`: the cells of the glyph if they are known, else empty.
 BuiltGlyph build_glyph(const SourceFont& font,
                        const SourceGlyph& glyph,
@@ -189,7 +210,8 @@ std::vector<size_t> glyphs_of_part(const SourceFont& font, GlyphPart part) {
 }
 
 RefitOptions refit_of(const SourceFont& font, const Target& target) {
-  return refit_options(target, font.metrics.units_per_em, largest_side(font));
+  return refit_options(target, font.metrics.units_per_em, largest_side(font),
+                       is_on_units(font));
 }
 
 // Every glyph of `content`, and its errors. In fonts of fields images come
