@@ -91,9 +91,9 @@ Status draw_poses(int32_t now_ms, const Sink& sink) {
 }
 
 Status draw_morph(int32_t now_ms, const Sink& sink) {
-  constexpr MorphBox box = {24, 24, 20, 0};
   const int32_t x = 4;
   const int32_t y = 4;
+  constexpr MorphBox box = {24, 24, 20, 0};  // width, height, baseline [px]
   static int8_t grids[morph_bytes(box)];
   GridHistogram scratch;
   GlyphMorph digit(font, size, kFilterMotion, box, grids);

@@ -38,6 +38,54 @@ void pass_solid(void* context, int32_t x, int32_t y, int32_t count) {
   }
 }
 
+// The opacity of a pixel between two sides, 0 to 255.
+uint32_t opacity_between(int32_t low,
+                         int32_t high,
+                         uint8_t soft_low,
+                         uint8_t soft_high,
+                         int32_t at) noexcept {
+  const auto near = [](int32_t inside, uint8_t soft) -> uint32_t {
+    return inside < 0 ? 0
+           : inside >= soft
+               ? 255
+               : static_cast<uint32_t>((2 * inside + 1) * 255 / (2 * soft));
+  };
+  const uint32_t first = near(at - low, soft_low);
+  const uint32_t second = near(high - 1 - at, soft_high);
+  return first < second ? first : second;
+}
+
+void pass_soft(void* context,
+               int32_t x,
+               int32_t y,
+               const uint8_t* coverage,
+               int32_t count) {
+  const SoftWindow& soft = *static_cast<const SoftWindow*>(context);
+  const Rect& window = soft.window;
+  const uint32_t row =
+      opacity_between(window.y0, window.y1, soft.soft.top, soft.soft.bottom, y);
+  uint8_t buffer[kMaxSpan];
+  for (int32_t i = 0; i < count; ++i) {
+    const uint32_t column = opacity_between(
+        window.x0, window.x1, soft.soft.left, soft.soft.right, x + i);
+    buffer[i] = faded(faded(coverage[i], row), column);
+  }
+  soft.target->coverage(soft.target->context, x, y, buffer, count);
+}
+
+void pass_soft_solid(void* context, int32_t x, int32_t y, int32_t count) {
+  uint8_t full[kMaxSpan];
+  for (uint8_t& value : full) {
+    value = 255;
+  }
+  while (count > 0) {
+    const int32_t part = count < kMaxSpan ? count : kMaxSpan;
+    pass_soft(context, x, y, full, part);
+    x += part;
+    count -= part;
+  }
+}
+
 }  // namespace
 
 Sink make_sink(const Fade& fade) noexcept {
@@ -50,6 +98,16 @@ Sink make_sink(const Fade& fade) noexcept {
   sink.context = const_cast<Fade*>(&fade);
   sink.coverage = pass_coverage;
   sink.solid = pass_solid;
+  return sink;
+}
+
+Sink make_sink(const SoftWindow& soft) noexcept {
+  Sink sink;
+  sink.window = intersect(soft.target->window, soft.window);
+  sink.context = const_cast<SoftWindow*>(&soft);
+  sink.coverage = pass_soft;
+  sink.solid = pass_soft_solid;
+  sink.adapt = soft.target->adapt;
   return sink;
 }
 

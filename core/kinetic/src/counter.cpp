@@ -1,0 +1,166 @@
+// Wheels of digits.
+#include "digit_roll.hpp"
+#include "inkcell/kinetic/fade.hpp"
+#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/kinetic/recipes.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kMostPx = 2048;  // of a cell, whatever the font says
+constexpr int32_t kMostDigits = 9;
+constexpr uint32_t kPowers[kMostDigits + 1] = {
+    1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000};
+
+}  // namespace
+
+DigitCells measure_digits(const Font& font, const Style& style) noexcept {
+  TextMeasure all;
+  for (uint32_t i = 0; i < 10; ++i) {
+    GlyphMetrics digit;
+    // A digit that the font lacks is .notdef.
+    static_cast<void>(font.glyph_metrics(font.glyph_or_notdef('0' + i), digit));
+    all.advance = digit.advance > all.advance ? digit.advance : all.advance;
+    all.y_min = digit.y_min < all.y_min ? digit.y_min : all.y_min;
+    all.y_max = digit.y_max > all.y_max ? digit.y_max : all.y_max;
+  }
+  const PixelMeasure px = to_px(font, style, all);
+  const int32_t room = (px.bottom.raw - px.top.raw) / 8;
+  DigitCells cells;
+  cells.width.raw = clamp(px.advance.raw, 0, kMostPx * 64);
+  cells.top = clamp((px.top.raw - room - 63) >> 6, -kMostPx, 0);
+  cells.bottom = clamp((px.bottom.raw + room + 63) >> 6, 1, kMostPx);
+  return cells;
+}
+
+Rect cells_box(const DigitCells& cells,
+               Point at,
+               int32_t first,
+               int32_t last) noexcept {
+  // A pixel of a filter beyond the widest advance.
+  const int32_t y = at.y.raw >> 6;
+  return {((at.x.raw + first * cells.width.raw) >> 6) - 1, y + cells.top,
+          ((at.x.raw + last * cells.width.raw) >> 6) + 2, y + cells.bottom + 1};
+}
+
+void draw_roll(const Painter& painter,
+               const Face& face,
+               const DigitCells& cells,
+               Point at,
+               const uint16_t (&digits)[2],
+               Q16_16 part) noexcept {
+  SoftWindow soft;
+  soft.target = &painter.sink();
+  soft.window = cells_box(cells, at, 0, 1);
+  const int32_t pitch = cells.bottom - cells.top;
+  const int32_t edge = clamp(pitch / 8, 1, 255);
+  soft.soft.top = soft.soft.bottom = static_cast<uint8_t>(edge);
+  const Sink sink = make_sink(soft);
+  if (is_empty(sink.window)) {
+    return;
+  }
+  const Painter rolls(sink, painter.ram(), &painter.drawer());
+  // Up by a part of the pitch.
+  at.y.raw -= lerp(0, pitch * 64, part);
+  for (const uint16_t digit : digits) {
+    if (digit != kBlank) {
+      const Font& font = *face.font;
+      const Q26_6 width = to_px(font, *face.style, font.advance(digit));
+      rolls.glyph(
+          font, *face.style,
+          {Q26_6::from_raw(at.x.raw + (cells.width.raw - width.raw) / 2), at.y},
+          digit);
+    }
+    if (part.raw == 0) {
+      return;
+    }
+    at.y.raw += pitch * 64;
+  }
+}
+
+struct Counter::Wheel {
+  uint16_t digits[2];  // kBlank: a leading zero
+  Q16_16 part;
+};
+
+Counter::Counter(const Font& font,
+                 const Style& style,
+                 Point origin,
+                 int32_t digits) noexcept
+    : face_{&font, &style},
+      origin_(origin),
+      cells_(measure_digits(font, style)),
+      digits_(clamp(digits, 1, kMostDigits)) {}
+
+void Counter::roll(uint32_t from,
+                   uint32_t to,
+                   const Timing& timing,
+                   const Easing& easing) noexcept {
+  from_ = from;
+  to_ = to;
+  timing_ = timing;
+  easing_ = easing;
+}
+
+Counter::Wheel Counter::wheel(int64_t value_q16, int32_t place) const noexcept {
+  const uint32_t power = kPowers[place];
+  const auto whole = static_cast<uint32_t>(value_q16 >> 16);
+  Wheel wheel;
+  for (uint32_t i = 0; i < 2; ++i) {
+    const uint32_t value = whole + i;
+    wheel.digits[i] = value < power && place != 0
+                          ? kBlank
+                          : static_cast<uint16_t>(value / power % 10);
+  }
+  // It turns while all wheels to its right go from 9 to 0.
+  wheel.part.raw =
+      whole % power == power - 1 ? static_cast<int32_t>(value_q16 & 0xffff) : 0;
+  return wheel;
+}
+
+// Of the last `wheels`.
+Rect Counter::box_of(int32_t wheels) const noexcept {
+  return cells_box(cells_, origin_, digits_ - wheels, digits_);
+}
+
+Rect Counter::at(int32_t now_ms) noexcept {
+  const Q16_16 part = ease(easing_, progress_at(timing_, now_ms));
+  const int64_t most = (int64_t{kPowers[digits_]} << 16) - 1;
+  const int64_t exact =
+      int64_t{from_} * 65536 + (int64_t{to_} - int64_t{from_}) * part.raw;
+  const int64_t value = exact < 0 ? 0 : exact > most ? most : exact;
+  const int64_t last = value_q16_;
+  value_q16_ = value;
+  if (last < 0) {
+    return box();
+  }
+  // Wheels to the left of one that stands still do not turn either.
+  int32_t changed = digits_;
+  for (; changed > 0; --changed) {
+    const Wheel a = wheel(last, changed - 1);
+    const Wheel b = wheel(value, changed - 1);
+    if (a.part.raw != b.part.raw || a.digits[0] != b.digits[0]) {
+      return box_of(changed);
+    }
+  }
+  return {};
+}
+
+void Counter::draw(const Painter& painter) const noexcept {
+  for (int32_t place = 0; place < digits_ && value_q16_ >= 0; ++place) {
+    Wheel now = wheel(value_q16_, place);
+    for (uint16_t& digit : now.digits) {
+      if (digit != kBlank) {
+        digit = face_.font->glyph_or_notdef('0' + uint32_t{digit});
+      }
+    }
+    Point at = origin_;
+    at.x.raw += (digits_ - 1 - place) * cells_.width.raw;
+    draw_roll(painter, face_, cells_, at, now.digits, now.part);
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

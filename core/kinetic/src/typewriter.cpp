@@ -1,0 +1,94 @@
+// The text up to a letter, and a caret behind it.
+#include "inkcell/kinetic/recipes.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+// The bytes of the first so many code points.
+size_t bytes_of(Text text, int32_t letters) noexcept {
+  const size_t all = text.size;
+  while (letters > 0 && text.size != 0) {
+    next_code_point(text);
+    --letters;
+  }
+  return all - text.size;
+}
+
+int32_t letter_count(Text text) noexcept {
+  int32_t count = 0;
+  while (text.size != 0) {
+    next_code_point(text);
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+int32_t Typewriter::end_ms() const noexcept {
+  const int64_t end = int64_t{letter_count(text_)} * letter_ms_;
+  return static_cast<int32_t>(end < kNever ? end : kNever);
+}
+
+// Half an x-height thinner than a stem, from the ascenders to the descenders.
+Rect Typewriter::caret() const noexcept {
+  const int32_t size = face_.style->size().raw >> 6;
+  const int32_t y = origin_.y.raw >> 6;
+  return {caret_x_, y - size * 3 / 4, caret_x_ + (size + 13) / 14,
+          y + size / 5 + 1};
+}
+
+Rect Typewriter::at(int32_t now_ms, const Painter& painter) noexcept {
+  const size_t last = shown_;
+  const Rect caret_before = is_caret_on_ ? caret() : Rect();
+  const int32_t x_before = caret_x_;
+  const bool is_first = x_before == INT32_MIN;
+  const int32_t end = end_ms();
+  shown_ = bytes_of(text_, now_ms < 0 ? 0 : now_ms / letter_ms_);
+  is_caret_on_ = now_ms < end || (now_ms - end) / kBlinkMs % 2 == 0;
+  const Q26_6 width =
+      painter.measure(*face_.font, *face_.style, {text_.data, shown_}).advance;
+  const int32_t size = face_.style->size().raw;
+  caret_x_ = (origin_.x.raw + width.raw + size / 16 + 32) >> 6;
+  const Rect caret_now = is_caret_on_ ? caret() : Rect();
+  Rect changed;
+  if (is_first || shown_ != last) {
+    // Letters to the left of both carets stay, but for an overhang.
+    changed = painter.box(*face_.font, *face_.style, origin_,
+                          {text_.data, shown_ > last ? shown_ : last});
+    if (!is_first) {
+      const int32_t left = min(x_before, caret_x_) - (size >> 7);
+      changed.x0 = max(changed.x0, left);
+    }
+  } else if (caret_before.x1 == caret_now.x1) {
+    return {};
+  }
+  return bounding_box(changed, bounding_box(caret_before, caret_now));
+}
+
+void Typewriter::draw(const Painter& painter) const noexcept {
+  painter.text(*face_.font, *face_.style, origin_, {text_.data, shown_});
+  if (!is_caret_on_) {
+    return;
+  }
+  const Sink& sink = painter.sink();
+  const Rect box = intersect(caret(), sink.window);
+  for (int32_t y = box.y0; y < box.y1 && box.x0 < box.x1; ++y) {
+    sink.solid(sink.context, box.x0, y, box.x1 - box.x0);
+  }
+}
+
+int32_t Typewriter::next_due(int32_t now_ms) const noexcept {
+  const int32_t end = end_ms();
+  const int32_t from = now_ms < end ? 0 : end;
+  const int32_t step = now_ms < end ? letter_ms_ : kBlinkMs;
+  const int64_t due = now_ms < 0
+                          ? letter_ms_
+                          : from + (int64_t{(now_ms - from) / step} + 1) * step;
+  return static_cast<int32_t>(due < kNever ? due : kNever);
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
