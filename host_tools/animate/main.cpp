@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include <nettle/sha2.h>
 
@@ -21,6 +22,7 @@
 #include "display.hpp"
 #include "files.hpp"
 #include "gif.hpp"
+#include "icon_scene.hpp"
 #include "paper.hpp"
 #include "player.hpp"
 #include "program.hpp"
@@ -30,6 +32,14 @@ namespace {
 
 constexpr const char* kDefaultFont =
     "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+
+// The scenes of the reel, row by row.
+constexpr int kReelColumns = 5;
+constexpr int kReelRows = 2;
+constexpr const char* kReelSize = "800x160";
+constexpr std::array<std::string_view, kReelColumns* kReelRows> kReel = {
+    "clock", "count", "icons",  "typewriter", "charge",
+    "wipe",  "pulse", "bounce", "ticker",     "splash"};
 
 struct Arguments {
   gen::GenerateRequest request;
@@ -93,6 +103,7 @@ const SceneKind& find_scene(const std::string& name) {
   for (const SceneKind& kind : scene_kinds()) {
     known += " " + std::string(kind.name);
   }
+  known += " reel";
   throw std::runtime_error(name + ": no such scene; there are" + known);
 }
 
@@ -164,6 +175,28 @@ struct Output {
   std::function<void()> finish = [] {};
 };
 
+// All frames in one picture, in rows of up to 8.
+Output open_sheet(const std::string& file, Size size, int frames) {
+  constexpr int kColumns = 8;
+  constexpr int kGap = 4;  // [px]
+  const int columns = std::min(frames, kColumns);
+  const int rows = (frames + columns - 1) / columns;
+  const auto sheet =
+      std::make_shared<Image>(columns * (size.width + kGap) - kGap,
+                              rows * (size.height + kGap) - kGap, 3, 255);
+  const auto count = std::make_shared<int>(0);
+  return {[=](const Image& frame, uint32_t) {
+            const int x = *count % columns * (size.width + kGap);
+            const int y = *count / columns * (size.height + kGap);
+            for (int row = 0; row < size.height; ++row) {
+              std::memcpy(sheet->at(x, y + row), frame.at(0, row),
+                          static_cast<size_t>(size.width) * 3);
+            }
+            ++*count;
+          },
+          [=] { write_image(file, *sheet); }};
+}
+
 Output open_output(const Arguments& arguments, Size size, uint32_t frames) {
   size = {size.width * arguments.zoom, size.height * arguments.zoom};
   if (arguments.format == "frames") {
@@ -176,6 +209,10 @@ Output open_output(const Arguments& arguments, Size size, uint32_t frames) {
     }};
   }
   check_folder_of(arguments.out);
+  if (arguments.format == "sheet") {
+    check_image_file(arguments.out, 3);
+    return open_sheet(arguments.out, size, static_cast<int>(frames));
+  }
   if (arguments.format == "gif") {
     auto gif = std::make_shared<GifWriter>(
         arguments.out, size.width, size.height, arguments.frames_per_second);
@@ -224,6 +261,14 @@ void write_stats(const Arguments& arguments,
   }
 }
 
+Image draw_frame(Player& player, DisplayMemory& memory, int rows) {
+  memory.show(rows, [&player](const Strip& strip) {
+    DisplayPaper paper(Display::xrgb8888, strip);
+    player.draw(paper.paper());
+  });
+  return memory.picture();
+}
+
 void play(const Arguments& arguments, Player& player, Size size) {
   const Frames frames = frames_of(arguments);
   const Output output = open_output(arguments, size, frames.count);
@@ -235,11 +280,7 @@ void play(const Arguments& arguments, Player& player, Size size) {
   for (uint32_t i = 0; i < frames.count; ++i) {
     const uint32_t number = frames.first + i * frames.step;
     player.set_frame(number);
-    memory.show(arguments.rows, [&player](const Strip& strip) {
-      DisplayPaper paper(Display::xrgb8888, strip);
-      player.draw(paper.paper());
-    });
-    Image frame = memory.picture();
+    Image frame = draw_frame(player, memory, arguments.rows);
     std::array<Rect, 8> room;
     DirtyRects dirty({room.data(), room.size()});
     player.add_changes(dirty);
@@ -268,7 +309,68 @@ void play(const Arguments& arguments, Player& player, Size size) {
   }
 }
 
+// Plays scenes beside one another.
+void play_reel(const Arguments& arguments, const Font& font, Size size) {
+  std::vector<std::unique_ptr<Player>> players;
+  for (const std::string_view name : kReel) {
+    const SceneKind& kind = find_scene(std::string(name));
+    players.push_back(open_scene(kind, font, kind.text,
+                                 size.width / kReelColumns,
+                                 size.height / kReelRows));
+  }
+  DisplayMemory memory(Display::xrgb8888, size.width / kReelColumns,
+                       size.height / kReelRows);
+  const Frames frames = frames_of(arguments);
+  const Output output = open_output(arguments, size, frames.count);
+  gen::Progress progress(false, "frames");
+  for (uint32_t i = 0; i < frames.count; ++i) {
+    const uint32_t number = frames.first + i * frames.step;
+    Image whole(size.width, size.height, 3);
+    for (size_t k = 0; k < players.size(); ++k) {
+      players[k]->set_frame(number);
+      const Image frame = draw_frame(*players[k], memory, arguments.rows);
+      const int x = static_cast<int>(k) % kReelColumns * frame.width;
+      const int y = static_cast<int>(k) / kReelColumns * frame.height;
+      for (int row = 0; row < frame.height; ++row) {
+        std::memcpy(whole.at(x, y + row), frame.at(0, row),
+                    static_cast<size_t>(frame.width) * 3);
+      }
+    }
+    output.add(arguments.zoom == 1 ? whole : enlarge(whole, arguments.zoom),
+               number);
+    progress.update(i + 1, frames.count);
+  }
+  output.finish();
+}
+
+void run_reel(Arguments& arguments, const CLI::App& app) {
+  for (const char* option : {"--text", "--stats", "--morph"}) {
+    if (app.count(option) != 0) {
+      throw std::runtime_error(std::string(option) +
+                               ": the reel plays scenes as they are; say it "
+                               "with one of them");
+    }
+  }
+  const Size size =
+      read_size(app.count("--size") == 0 ? kReelSize : arguments.size);
+  std::string text;
+  for (const std::string_view name : kReel) {
+    text += find_scene(std::string(name)).text;
+  }
+  arguments.request.symbols += "0123456789:";
+  arguments.request.svg_folders.emplace_back(INKCELL_SCENE_ICONS);
+  arguments.request.morphs = {scenes::ClockScene::kMorphs,
+                              scenes::IconScene::kMorphs};
+  const RomFile rom = load_font_file(
+      arguments.font, conversion_of(app, arguments.request), text);
+  play_reel(arguments, rom.font(), size);
+}
+
 void run(Arguments& arguments, const CLI::App& app) {
+  if (arguments.scene == "reel") {
+    run_reel(arguments, app);
+    return;
+  }
   const SceneKind& kind = find_scene(arguments.scene);
   const Size size = read_size(arguments.size);
   check_apart({arguments.out, arguments.stats}, {arguments.font});
@@ -282,6 +384,10 @@ void run(Arguments& arguments, const CLI::App& app) {
   if (app.count("--morph") == 0 && arguments.scene == "clock") {
     arguments.request.morphs = {scenes::ClockScene::kMorphs};
   }
+  if (arguments.scene == "icons" && !arguments.text) {
+    arguments.request.svg_folders.emplace_back(INKCELL_SCENE_ICONS);
+    arguments.request.morphs = {scenes::IconScene::kMorphs};
+  }
   const RomFile rom = load_font_file(
       arguments.font, conversion_of(app, arguments.request), text);
   const std::unique_ptr<Player> player =
@@ -294,6 +400,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   for (const SceneKind& kind : scene_kinds()) {
     scenes += "\n" + std::string(kind.name) + ": " + std::string(kind.what);
   }
+  scenes += "\nreel: ten of them side by side, 800x160 px";
   app.add_option("scene", arguments.scene, scenes)->required();
   app.add_option("--out", arguments.out,
                  "The animated picture; with --format frames a folder")
@@ -320,8 +427,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember({1, 2, 3, 5, 6, 10, 15, 30}))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--format", arguments.format, "apng, gif or frames (PNG)")
-      ->check(CLI::IsMember({"apng", "gif", "frames"}))
+  app.add_option("--format", arguments.format,
+                 "apng, gif, frames (PNG), or sheet: all frames in one PNG")
+      ->check(CLI::IsMember({"apng", "gif", "frames", "sheet"}))
       ->capture_default_str();
   app.add_option("--rows", arguments.rows,
                  "Rows of a strip; the frames are the same for every number")

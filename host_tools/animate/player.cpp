@@ -6,14 +6,21 @@
 #include <type_traits>
 
 #include "body_scene.hpp"
+#include "charge_scene.hpp"
 #include "clock_scene.hpp"
+#include "count_scene.hpp"
+#include "icon_scene.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
+#include "letters_scene.hpp"
 #include "offset_scene.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
 #include "print_scene.hpp"
 #include "rom_file.hpp"
+#include "ticker_scene.hpp"
+#include "typewriter_scene.hpp"
 #include "vortex_scene.hpp"
+#include "wipe_scene.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -163,6 +170,24 @@ SceneKind kind_of(std::string_view name,
 
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = {
+      kind_of<scenes::CountScene>("count", "a number rolls up",
+                                  "a number of up to 9 digits"),
+      kind_of<scenes::TickerScene>("ticker", "a line runs by",
+                                   "a line of up to 64 letters"),
+      kind_of<scenes::TypewriterScene>(
+          "typewriter", "a line is typed, and erased", "a line"),
+      kind_of<scenes::WipeScene>("wipe", "a soft edge reveals a word",
+                                 "two words"),
+      kind_of<scenes::LettersScene<scenes::Letters::bounce>>(
+          "bounce", "letters hop", "a line of up to 24 letters"),
+      kind_of<scenes::LettersScene<scenes::Letters::pulse>>(
+          "pulse", "weight runs along a word", "a line of up to 24 letters"),
+      kind_of<scenes::LettersScene<scenes::Letters::splash>>(
+          "splash", "a title comes and goes", "a line of up to 24 letters"),
+      kind_of<scenes::IconScene>("icons", "icons become others",
+                                 "one to four pairs of icons that --morph "
+                                 "pairs"),
+      kind_of<scenes::ChargeScene>("charge", "a number glows", "a short line"),
       kind_of<scenes::PathScene>("path", "letters on a wave",
                                  "a line of up to 24 letters"),
       kind_of<scenes::ClockScene>("clock", "digits that become others",

@@ -6,7 +6,7 @@ namespace golden {
 inline constexpr const char* kPathHash =
     "47791fd540e8c51828f7e6ddb3b1fe1db778ce08faede0b30cb6485785101da5";
 inline constexpr const char* kClockHash =
-    "c87df48638149623a3a48648e53e3bcc2e32297ff1a25ff74cdf174ea5e74470";
+    "49483bb85f8c6e5165f8706cfd0a24f5c4d2c322d7ab81cc489f080f881f4c64";
 inline constexpr const char* kParticlesHash =
     "81632e7bcd602c9d2dd111c49727bac91632716a7720ce5ad236f5a75ef67732";
 inline constexpr const char* kFigure13Hash =
@@ -17,5 +17,17 @@ inline constexpr const char* kFigure15Hash =
     "f2dff531685a27d673efc0e61ebf2db49c89ef5a94d68bebcf7a27524846b739";
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
+inline constexpr const char* kCountHash =
+    "0cb3df52eee51b9aa72cbf0727dbf476123d328b59b345b54170ecb0859e79dd";
+inline constexpr const char* kTickerHash =
+    "7df0d8825b834b6faf46cefdb9af60d5a2ae3fcd20877b4ad20522cb5a98d281";
+inline constexpr const char* kTypewriterHash =
+    "4cde5008fd3dda76171123246b2bb43e3155c55407bdbcd0207c45d9b2eeaf02";
+inline constexpr const char* kWipeHash =
+    "c67a759fd9dbf72ac18a2f968dd436f225224b42a674bd8d96581199d6897496";
+inline constexpr const char* kBounceHash =
+    "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
+inline constexpr const char* kSplashHash =
+    "f1d0fd574edf1112514786dcaa7492733f5d25cebc7b9850ed862c43172ccaeb";
 
 }  // namespace golden

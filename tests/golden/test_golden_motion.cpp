@@ -3,17 +3,22 @@
 #include "body_scene.hpp"
 #include "check.hpp"
 #include "clock_scene.hpp"
+#include "count_scene.hpp"
 #include "expected_motion.hpp"
 #include "fonts.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/xrgb8888.hpp"
+#include "letters_scene.hpp"
 #include "offset_scene.hpp"
 #include "paper.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
 #include "print_scene.hpp"
 #include "sha256.hpp"
+#include "ticker_scene.hpp"
+#include "typewriter_scene.hpp"
 #include "vortex_scene.hpp"
+#include "wipe_scene.hpp"
 
 namespace {
 
@@ -28,8 +33,6 @@ constexpr uint32_t kFrames = scenes::kLoopFrames;
 constexpr size_t most(size_t a, size_t b) {
   return a > b ? a : b;
 }
-constexpr scenes::SceneNeeds kClock =
-    scenes::ClockScene::needs(kWidth, kHeight);
 constexpr scenes::SceneNeeds kParticles =
     scenes::ParticleScene::needs(kWidth, kHeight);
 
@@ -44,10 +47,10 @@ constexpr scenes::SceneNeeds kVortex =
 
 // Two whole screens of samples, beside all others, are too much for 16 KB.
 #ifdef INKCELL_SMALL_RAM
-int8_t grid[most(most(kClock.grid, kParticles.grid), kPrint.grid)];
+int8_t grid[most(kParticles.grid, kPrint.grid)];
 #else
 int8_t grid[most(most(most(kBodies.grid, kVortex.grid), kOffsets.grid),
-                 most(most(kClock.grid, kParticles.grid), kPrint.grid))];
+                 most(kParticles.grid, kPrint.grid))];
 #endif
 static_assert(kOffsets.particles <= kParticles.particles, "there is room");
 kinetic::Particle particles[kParticles.particles];
@@ -170,6 +173,28 @@ TEST(clock_has_one_hash) {
   static scenes::ClockScene scene(setting_of("22:39"));
   check_played("clock", scene, golden::kClockHash);
   check_sought(scene);
+}
+
+TEST(recipes_have_one_hash_each) {
+  static scenes::CountScene count(setting_of("4224"));
+  check_played("count", count, golden::kCountHash);
+  check_sought(count);
+  static scenes::TickerScene ticker(setting_of("Inkcel 42"));
+  check_played("ticker", ticker, golden::kTickerHash);
+  static scenes::TypewriterScene line(setting_of("Inkcel"));
+  check_played("typewriter", line, golden::kTypewriterHash);
+  check_sought(line);
+  static scenes::WipeScene wipe(setting_of("Ink cell"));
+  check_played("wipe", wipe, golden::kWipeHash);
+  check_sought(wipe);
+#ifndef INKCELL_SMALL_RAM
+  static scenes::LettersScene<scenes::Letters::bounce> bounce(
+      setting_of("Inkcel"));
+  check_played("bounce", bounce, golden::kBounceHash);
+  static scenes::LettersScene<scenes::Letters::splash> splash(
+      setting_of("Inkcel"));
+  check_played("splash", splash, golden::kSplashHash);
+#endif
 }
 
 #ifndef INKCELL_SMALL_RAM

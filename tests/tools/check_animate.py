@@ -16,8 +16,10 @@ import unittest
 from png import chunks, unfilter
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SCENES = ("path", "clock", "particles", "figure13", "figure14", "figure15",
-          "print")
+# Scenes that repeat without a seam: functions of time.
+LOOPS = ("count", "ticker", "typewriter", "wipe", "bounce", "pulse", "splash",
+         "charge", "clock", "path")
+SCENES = LOOPS + ("particles", "figure13", "figure14", "figure15", "print")
 PROGRAMS = {}
 
 
@@ -118,6 +120,56 @@ class Animate(unittest.TestCase):
             data = b"".join(data for kind, data in chunks(
                 (all_of / f"{6 * i:05d}.png").read_bytes()) if kind == b"IDAT")
             self.assertEqual(b"".join(unfilter(data, 128, 64, 3)), frame)
+
+    def test_loops_begin_and_end_with_ink(self):
+        """And after ten seconds they are where they began."""
+        for scene in LOOPS:
+            apng, stats = self.play(scene, "l.png", frames=301)
+            frames = frames_of(apng.read_bytes())
+            self.assertEqual(frames[300], frames[0], scene)
+            for frame in (frames[0], frames[299]):
+                pixels = [frame[i:i + 3] for i in range(0, len(frame), 3)]
+                paper = max(set(pixels), key=pixels.count)
+                self.assertGreater(len(pixels) - pixels.count(paper), 250,
+                                   scene)
+            self.assertLess(stats["still_frames"], 250, scene)
+
+    def test_icons_morph_from_drawings(self):
+        """The pairs of --svg and --morph, from files to frames."""
+        out = pathlib.Path(self.folder.name) / "icons.png"
+        run("animate", "icons", "--size", "128x64", "--out", out)
+        frames = frames_of(out.read_bytes())
+        self.assertGreater(len(set(frames)), 100)
+        drawings = [pathlib.Path(self.folder.name) / name
+                    for name in ("a.svg", "b.svg")]
+        for drawing, path in zip(drawings, ("M4 4h16v16H4z", "M4 4h16v4H4z")):
+            drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" '
+                               f'viewBox="0 0 24 24"><path d="{path}"/></svg>')
+        run("animate", "icons", "--size", "64x64", "--out", out, "--seconds", 5,
+            "--svg", f"{drawings[0]}=0xE010", "--svg", f"{drawings[1]}=0xE011",
+            "--text", "\ue010\ue011", "--morph", "\ue010\ue011")
+        # A square becomes a bar: its ink shrinks steadily, and grows again.
+        ink = [sum(frame) - 64 * 64 * min(sum(frame[i:i + 3]) for i in
+                                          range(0, 300, 3))
+               for frame in frames_of(out.read_bytes())]
+        low = ink.index(min(ink))
+        turn = ink.index(max(ink))
+        self.assertLess(min(ink), max(ink) // 3)
+        for before, after in zip(ink[turn:low], ink[turn + 1:low]):
+            self.assertGreaterEqual(before, after)
+        message = run("animate", "icons", "--text", "\ue010", "--out", out,
+                      code=1)
+        self.assertIn("icons takes one to four pairs", message)
+
+    def test_reel(self):
+        out = pathlib.Path(self.folder.name) / "reel.gif"
+        run("animate", "reel", "--format", "gif", "--fps", 5, "--seconds", 2,
+            "--out", out)
+        self.assertEqual(out.read_bytes()[6:10],
+                         struct.pack("<HH", 800, 160))
+        self.assertIn("--text: the reel plays",
+                      run("animate", "reel", "--text", "x", "--out", out,
+                          code=1))
 
     def test_strips_make_no_difference(self):
         for scene in SCENES:

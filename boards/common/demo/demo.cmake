@@ -84,12 +84,14 @@ function(inkcell_add_demo name board format)
 endfunction()
 
 # inkcell_motion_font: the font of scenes that move, on every board. Distances
-# reach farther than fields of text know them: it is of outlines.
+# reach farther than fields of text know them: it is of outlines. The pairs are
+# those of the clock (clock_scene.hpp).
 function(inkcell_add_motion_font)
   if(NOT TARGET inkcell_motion_font)
     add_library(inkcell_motion_font INTERFACE)
     inkcell_add_font(inkcell_motion_font NAME motion FONT ${INKCELL_DEMO_FONT}
-      MIN_PX 8 MAX_PX 96 CODING outline)
+      MIN_PX 8 MAX_PX 96 CODING outline
+      MORPH "01 12 23 34 45 56 67 78 89 90 50 20 30 18")
   endif()
 endfunction()
 

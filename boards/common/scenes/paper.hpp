@@ -31,10 +31,16 @@ struct Paper {
 
   const Sink& with(uint32_t rgb) const noexcept { return ink(context, rgb); }
 
-  void fill(uint32_t rgb) const noexcept {
+  void fill(uint32_t rgb) const noexcept { fill(rgb, window); }
+
+  void fill(uint32_t rgb, const Rect& rect) const noexcept {
+    const Rect box = intersect(rect, window);
+    if (is_empty(box)) {
+      return;
+    }
     const Sink& sink = with(rgb);
-    for (int32_t y = window.y0; y < window.y1; ++y) {
-      sink.solid(sink.context, window.x0, y, window.x1 - window.x0);
+    for (int32_t y = box.y0; y < box.y1; ++y) {
+      sink.solid(sink.context, box.x0, y, box.x1 - box.x0);
     }
   }
 };

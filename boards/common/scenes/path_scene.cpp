@@ -18,6 +18,7 @@ constexpr uint32_t kLastInk = 0x7a8cff;
 
 constexpr Stagger kArrival = {70, StaggerOrder::forward, 0};
 constexpr Stagger kDeparture = {45, StaggerOrder::from_centre, 0};
+constexpr uint32_t kFirstFrame = 60;  // all letters are there
 constexpr int32_t kArrivesMs = 250;
 constexpr int32_t kSwingsMs = 1200;  // the wave begins to swing
 constexpr int32_t kWeightMs = 4200;
@@ -140,7 +141,7 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
 
 void PathScene::set_frame(uint32_t frame) noexcept {
   frame_ = frame;
-  const int32_t time_ms = time_of(frame);
+  const int32_t time_ms = time_of(frame + kFirstFrame);
   make_wave(time_ms);
   on_path_.start.raw = path_.length().raw / 2;
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
@@ -181,7 +182,7 @@ int32_t PathScene::quiet_until(int32_t time_ms) const noexcept {
 }
 
 uint32_t PathScene::next_due() const noexcept {
-  const int32_t now = time_of(frame_);
+  const int32_t now = time_of(frame_ + kFirstFrame);
   const int32_t wait = quiet_until(now) - now;
   const auto frames = static_cast<uint32_t>(wait * kFramesPerSecond / 1000);
   return frame_ + (frames > 1 ? frames : 1);

@@ -14,14 +14,17 @@
 //   particles COUNT MEAN PULL                 a step; and the way home
 //   dot MEAN                                  of 1.3 px
 //   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
-//   path, clock, particle_text, figure13, figure14, figure15, print
+//   path, clock, count, ticker, typewriter, wipe, bounce, pulse, splash,
+//   charge, particle_text, figure13, figure14, figure15, print
 //       WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
 //       a frame of RGB565 in strips of 16 rows: what changed (mean, most), or
 //       all of the screen (mean)
 #include "board.hpp"
 #include "body_scene.hpp"
+#include "charge_scene.hpp"
 #include "clock_scene.hpp"
 #include "console.hpp"
+#include "count_scene.hpp"
 #include "counter.hpp"
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/dots.hpp"
@@ -32,13 +35,17 @@
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/rgb565.hpp"
+#include "letters_scene.hpp"
 #include "offset_scene.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
 #include "print_scene.hpp"
 #include "rom_file.hpp"
 #include "stack.hpp"
+#include "ticker_scene.hpp"
+#include "typewriter_scene.hpp"
 #include "vortex_scene.hpp"
+#include "wipe_scene.hpp"
 
 namespace {
 
@@ -81,7 +88,7 @@ void count(const Work& work, Total& instructions, uint32_t& stack) {
   instructions.add(board::count_instructions(work));
 }
 
-bool measure_morph(int32_t px, int32_t scale_log2) {
+[[maybe_unused]] bool measure_morph(int32_t px, int32_t scale_log2) {
   kinetic::MorphBox box;
   box.width = px * 70 / 100;
   box.height = px * 88 / 100;
@@ -128,7 +135,7 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
   return true;
 }
 
-bool measure_outline_morph(int32_t px) {
+[[maybe_unused]] bool measure_outline_morph(int32_t px) {
   const Style style(Q26_6::from_int(px), kFilterMotion);
   const int32_t width = px * 70 / 100;
   const int32_t height = px * 88 / 100;
@@ -170,7 +177,7 @@ bool measure_outline_morph(int32_t px) {
 }
 
 // They fly inside walls and bounce off a letter of 96 px.
-bool measure_particles() {
+[[maybe_unused]] bool measure_particles() {
   constexpr uint32_t kCount = 400;
   constexpr int32_t kSide = 96;
   kinetic::DistanceGrid field(grid, kSide, kSide, 0);
@@ -237,7 +244,7 @@ bool measure_particles() {
 }
 
 // A letter of 96 px in a vortex.
-bool measure_level_set() {
+[[maybe_unused]] bool measure_level_set() {
   constexpr int32_t kSide = 96;
   constexpr uint32_t kSamples = kSide * kSide;
   kinetic::DistanceGrid field(grid, kSide, kSide, 0);
@@ -351,6 +358,15 @@ bool measure_scene(const char* name) {
   return true;
 }
 
+template <scenes::Letters kLetters>
+using Letters = scenes::LettersScene<kLetters>;
+
+template <typename Scene>
+bool measure_recipe(const char* name) {
+  return measure_scene<Scene, 320, 240>(name) &&
+         measure_scene<Scene, 128, 64>(name);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -359,23 +375,16 @@ int main(int argc, char** argv) {
     return 1;
   }
   const bool is_measured =
-      measure_morph(48, 0) && measure_morph(96, 0) && measure_morph(96, 1) &&
-      measure_outline_morph(48) && measure_outline_morph(96) &&
-      measure_particles() && measure_level_set() &&
-      measure_scene<scenes::BodyScene, 320, 240>("figure13") &&
-      measure_scene<scenes::BodyScene, 128, 64>("figure13") &&
-      measure_scene<scenes::OffsetScene, 320, 240>("figure14") &&
-      measure_scene<scenes::OffsetScene, 128, 64>("figure14") &&
-      measure_scene<scenes::PrintScene, 320, 240>("print") &&
-      measure_scene<scenes::PrintScene, 128, 64>("print") &&
-      measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
-      measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
-      measure_scene<scenes::PathScene, 320, 240>("path") &&
-      measure_scene<scenes::ClockScene, 320, 240>("clock") &&
+      measure_recipe<scenes::CountScene>("count") &&
+      measure_recipe<scenes::TickerScene>("ticker") &&
+      measure_recipe<scenes::TypewriterScene>("typewriter") &&
+      measure_recipe<scenes::WipeScene>("wipe") &&
+      measure_recipe<Letters<scenes::Letters::bounce>>("bounce") &&
+      measure_recipe<Letters<scenes::Letters::pulse>>("pulse") &&
+      measure_recipe<Letters<scenes::Letters::splash>>("splash") &&
+      measure_recipe<scenes::ChargeScene>("charge") && measure_scene<scenes::ClockScene, 320, 240>("clock") &&
       measure_scene<scenes::ClockScene, 128, 64>("clock") &&
-      measure_scene<scenes::ClockScene, 96, 16>("clock") &&
-      measure_scene<scenes::ParticleScene, 320, 240>("particle_text") &&
-      measure_scene<scenes::ParticleScene, 128, 64>("particle_text");
+      measure_scene<scenes::ClockScene, 96, 16>("clock");
   if (!is_measured) {
     board::print("a scene does not open, or the RAM is too small\n");
     return 1;

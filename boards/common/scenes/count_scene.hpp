@@ -1,0 +1,70 @@
+// Scene `count`: a number rolls up, rests, and rolls back.
+#pragma once
+
+#include "inkcell/kinetic/recipes.hpp"
+#include "text_scene.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A frame depends only on its number.
+class CountScene : public TextScene {
+ public:
+  static constexpr const char* kText = "1250";
+
+  explicit CountScene(const SceneSetting& setting) noexcept
+      : TextScene(setting, setting.text, 200, 120),
+        counter_(font(), style(), origin(), static_cast<int32_t>(text().size)) {
+  }
+
+  /// bad_argument: the text is not a number of up to 9 digits.
+  Status open() noexcept {
+    for (size_t i = 0; i < text().size; ++i) {
+      const char digit = text().data[i];
+      if (digit < '0' || digit > '9' || i == 9) {
+        return Status::bad_argument;
+      }
+      most_ = most_ * 10 + static_cast<uint32_t>(digit - '0');
+    }
+    return most_ == 0 ? Status::bad_argument : Status::ok;
+  }
+
+  void set_frame(uint32_t frame) noexcept {
+    // It begins on its way up.
+    const int32_t now = time_of((frame + 25) % kFrames);
+    const bool is_up = now < kBackMs;
+    counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
+                  {is_up ? 0 : kBackMs, is_up ? 2600 : 700});
+    const Rect rolls = counter_.at(now);
+    next(frame, is_empty(rolls) ? rolls : bounding_box(counter_.box(), bar()));
+  }
+
+  void draw(const Paper& paper) const noexcept {
+    paper.fill(0x10141c);
+    counter_.draw(painter(paper, 0x7fe0b0));
+    Rect part = bar();
+    paper.fill(0x2a3444, part);
+    const auto width = static_cast<uint32_t>(part.x1 - part.x0);
+    part.x1 = part.x0 +
+              static_cast<int32_t>(uint64_t{counter_.value()} * width / most_);
+    paper.fill(0x3fa878, part);
+  }
+
+ private:
+  static constexpr uint32_t kFrames = 150;
+  static constexpr int32_t kBackMs = 4100;
+
+  // Below the number.
+  Rect bar() const noexcept {
+    Rect bar = counter_.box();
+    bar.y0 = bar.y1;
+    bar.y1 += px(20);
+    return bar;
+  }
+
+  kinetic::Counter counter_;
+  uint32_t most_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,67 @@
+// Scene `icons`: pairs of icons become each other, and back.
+#pragma once
+
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+#include "text_scene.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A frame depends only on its number.
+class IconScene : public TextScene {
+ public:
+  // Play and pause, a battery that fills, sun and cloud: icons/*.svg.
+  static constexpr const char* kText = "\uE001\uE002\uE004\uE005\uE006\uE007";
+  static constexpr const char* kMorphs =
+      "\uE001\uE002 \uE004\uE005 \uE006\uE007";
+
+  explicit IconScene(const SceneSetting& setting) noexcept
+      : TextScene(setting, setting.text, 420, 128) {}
+
+  /// bad_argument: not one to four pairs. no_glyph: the font has no morphs of
+  /// them.
+  Status open() noexcept {
+    count_ = 0;
+    Text rest = text();
+    while (rest.size != 0) {
+      const uint16_t first = font().glyph_or_notdef(next_code_point(rest));
+      if (rest.size == 0 || count_ == 4) {
+        return Status::bad_argument;
+      }
+      INKCELL_TRY(kinetic::OutlineMorph::open(
+          font(), first, font().glyph_or_notdef(next_code_point(rest)),
+          pairs_[count_++]));
+    }
+    return count_ == 0 ? Status::bad_argument : status();
+  }
+
+  void set_frame(uint32_t frame) noexcept { next(frame, screen()); }
+
+  void draw(const Paper& paper) const noexcept {
+    paper.fill(0x101820);
+    constexpr uint32_t kInks[] = {0x6bd3ff, 0x8ce06b, 0xffd25c, 0xff8a7a};
+    for (int32_t i = 0; i < count_; ++i) {
+      // There, and back after half of the time.
+      const int32_t now = frame_ms(uint32_t(140 - 12 * i), 150);
+      const Q16_16 there =
+          kinetic::ease(kinetic::kEaseInOut, kinetic::fraction(0, 600, now));
+      const Q16_16 back = kinetic::ease(kinetic::kEaseInOut,
+                                        kinetic::fraction(2500, 3100, now));
+      const int32_t advance =
+          px(font().advance(pairs_[i].from()) * 256 / font().units_per_em());
+      const int32_t middle = screen().x1 * (2 * i + 1) / (2 * count_);
+      pairs_[i].draw(painter(paper, kInks[i]), style(),
+                     {Q26_6::from_int(middle - advance / 2), origin().y},
+                     Q16_16::from_raw(there.raw - back.raw));
+    }
+  }
+
+ private:
+  kinetic::OutlineMorph pairs_[4];
+  int32_t count_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell

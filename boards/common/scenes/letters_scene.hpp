@@ -1,0 +1,84 @@
+// Scenes `bounce`, `pulse` and `splash`: letters move one after the other.
+#pragma once
+
+#include "inkcell/kinetic/recipes.hpp"
+#include "text_scene.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+enum class Letters { bounce, pulse, splash };
+
+/// A frame depends only on its number.
+template <Letters kLetters>
+class LettersScene : public TextScene {
+ public:
+  static constexpr const char* kText = kLetters == Letters::bounce ? "bounce"
+                                       : kLetters == Letters::pulse
+                                           ? "heartbeat"
+                                           : "Inkcell";
+
+  explicit LettersScene(const SceneSetting& setting) noexcept
+      : TextScene(setting, setting.text, 210, 90),
+        renderer_(font(), style().size(), kFilterMotion, workspace()),
+        letters_(renderer_, font(), run_, where_, motion_) {}
+
+  /// bad_argument: no ink. buffer_small: over 24 letters.
+  Status open() noexcept {
+    using namespace kinetic;
+    const Q26_6 size = style().size();
+    constexpr StaggerOrder kOrder = kLetters == Letters::splash
+                                        ? StaggerOrder::from_centre
+                                        : StaggerOrder::forward;
+    constexpr int32_t kEach = kLetters == Letters::bounce  ? 620
+                              : kLetters == Letters::pulse ? 800
+                                                           : 1500;
+    keys_ = kLetters == Letters::bounce
+                ? hop(Q26_6::from_raw(size.raw / 2), kEach)
+                : swell(Q26_6::from_raw(size.raw / 24), kEach);
+    if (kLetters == Letters::splash) {
+      // Gone in the middle: small, low and clear.
+      Pose& gone = keys_.keys[1].pose;
+      gone = Pose();
+      gone.opacity = 0;
+      gone.offset.y = Q26_6::from_raw(size.raw / 3);
+      gone.scale_x = gone.scale_y = Scale::from_raw(2600);
+      keys_.keys[0].easing = kLeave;
+      keys_.keys[1].easing = kOvershoot;
+    }
+    motion_ = {keys_.keys, {0, time_of(kFrames), 0}, {90, kOrder, 0}};
+    where_.size = size;
+    where_.origin = origin();
+    INKCELL_TRY(lay_out(font(), text(), Align::left, glyphs_, run_));
+    return status();
+  }
+
+  void set_frame(uint32_t frame) noexcept {
+    next(frame, letters_.at(kStartMs + time_of(frame % kFrames)));
+  }
+
+  void draw(const Paper& paper) noexcept {
+    constexpr uint32_t kPaper[] = {0x1c1030, 0x200c10, 0x08121c};
+    constexpr uint32_t kInk[] = {0xd0a8ff, 0xff6a5c, 0xe8f4ff};
+    paper.fill(kPaper[static_cast<int>(kLetters)]);
+    letters_.draw(paper.with(kInk[static_cast<int>(kLetters)]));
+  }
+
+ private:
+  static constexpr uint32_t kFrames =
+      kLetters == Letters::splash ? kLoopFrames / 2 : kLoopFrames / 4;
+  // All letters are in a later round, some at rest.
+  static constexpr int32_t kStartMs =
+      kLetters == Letters::splash ? 13000 : 5000;
+
+  kinetic::RunGlyph glyphs_[24];
+  kinetic::Run run_;
+  kinetic::RunPlace where_;
+  kinetic::PoseThere keys_;
+  kinetic::LetterMotion motion_;
+  kinetic::PoseRenderer renderer_;
+  kinetic::MovingLetters letters_;
+};
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,67 @@
+// Scene `wipe`: a soft edge wipes one word off and reveals another.
+#pragma once
+
+#include "inkcell/kinetic/recipes.hpp"
+#include "text_scene.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A frame depends only on its number.
+class WipeScene : public TextScene {
+ public:
+  static constexpr const char* kText = "MORNING EVENING";
+
+  explicit WipeScene(const SceneSetting& setting) noexcept
+      : TextScene(setting, setting.text, 430, 110),
+        hides_{wipe(0, 0, Wipe::Kind::hide), wipe(1, kHalf, Wipe::Kind::hide)},
+        shows_{wipe(1, 0, Wipe::Kind::reveal),
+               wipe(0, kHalf, Wipe::Kind::reveal)} {}
+
+  /// bad_argument: the text is not two words with ink.
+  Status open() noexcept {
+    return word(1).size == 0 ? Status::bad_argument : status();
+  }
+
+  void set_frame(uint32_t frame) noexcept {
+    const int32_t now = time_of(frame % (2 * kHalf));
+    half_ = frame / kHalf % 2;
+    next(frame, bounding_box(hides_[half_].at(now), shows_[half_].at(now)));
+  }
+
+  void draw(const Paper& paper) const noexcept {
+    paper.fill(0x0c1622);
+    constexpr uint32_t kInks[] = {0xffb35c, 0x8fb7ff};
+    hides_[half_].draw(painter(paper, kInks[half_]));
+    shows_[half_].draw(painter(paper, kInks[1 - half_]));
+  }
+
+ private:
+  using Wipe = kinetic::Wipe;
+  static constexpr uint32_t kHalf = 75;  // [frames]
+
+  Text word(size_t index) const noexcept {
+    size_t end = 0;
+    while (end < text().size && text().data[end] != ' ') {
+      ++end;
+    }
+    const size_t after = end < text().size ? end + 1 : end;
+    return index == 0 ? Text(text().data, end)
+                      : Text(text().data + after, text().size - after);
+  }
+  Wipe wipe(size_t index, uint32_t frame, Wipe::Kind kind) const noexcept {
+    return {font(),
+            style(),
+            centred(word(index)),
+            word(index),
+            {time_of(frame) + 1000, 900},
+            kind};
+  }
+
+  Wipe hides_[2];
+  Wipe shows_[2];
+  uint32_t half_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell
