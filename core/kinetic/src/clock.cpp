@@ -1,7 +1,10 @@
 // Each change begins with the last digit.
-#include "digit_roll.hpp"
+#include "inkcell/kinetic/clock.hpp"
+
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 
 namespace inkcell {

@@ -1,84 +1,17 @@
 // Wheels of digits.
-#include "digit_roll.hpp"
-#include "inkcell/kinetic/fade.hpp"
-#include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/kinetic/counter.hpp"
+
 #include "limits.hpp"
 
 namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kMostPx = 2048;  // of a cell, whatever the font says
 constexpr int32_t kMostDigits = 9;
 constexpr uint32_t kPowers[kMostDigits + 1] = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000};
 
 }  // namespace
-
-DigitCells measure_digits(const Font& font, const Style& style) noexcept {
-  TextMeasure all;
-  for (uint32_t i = 0; i < 10; ++i) {
-    GlyphMetrics digit;
-    // A digit that the font lacks is .notdef.
-    static_cast<void>(font.glyph_metrics(font.glyph_or_notdef('0' + i), digit));
-    all.advance = digit.advance > all.advance ? digit.advance : all.advance;
-    all.y_min = digit.y_min < all.y_min ? digit.y_min : all.y_min;
-    all.y_max = digit.y_max > all.y_max ? digit.y_max : all.y_max;
-  }
-  const PixelMeasure px = to_px(font, style, all);
-  const int32_t room = (px.bottom.raw - px.top.raw) / 8;
-  DigitCells cells;
-  cells.width.raw = clamp(px.advance.raw, 0, kMostPx * 64);
-  cells.top = clamp((px.top.raw - room - 63) >> 6, -kMostPx, 0);
-  cells.bottom = clamp((px.bottom.raw + room + 63) >> 6, 1, kMostPx);
-  return cells;
-}
-
-Rect cells_box(const DigitCells& cells,
-               Point at,
-               int32_t first,
-               int32_t last) noexcept {
-  // A pixel of a filter beyond the widest advance.
-  const int32_t y = at.y.raw >> 6;
-  return {((at.x.raw + first * cells.width.raw) >> 6) - 1, y + cells.top,
-          ((at.x.raw + last * cells.width.raw) >> 6) + 2, y + cells.bottom + 1};
-}
-
-void draw_roll(const Painter& painter,
-               const Face& face,
-               const DigitCells& cells,
-               Point at,
-               const uint16_t (&digits)[2],
-               Q16_16 part) noexcept {
-  SoftWindow soft;
-  soft.target = &painter.sink();
-  soft.window = cells_box(cells, at, 0, 1);
-  const int32_t pitch = cells.bottom - cells.top;
-  const int32_t edge = clamp(pitch / 8, 1, 255);
-  soft.soft.top = soft.soft.bottom = static_cast<uint8_t>(edge);
-  const Sink sink = make_sink(soft);
-  if (is_empty(sink.window)) {
-    return;
-  }
-  const Painter rolls(sink, painter.ram(), &painter.drawer());
-  // Up by a part of the pitch.
-  at.y.raw -= lerp(0, pitch * 64, part);
-  for (const uint16_t digit : digits) {
-    if (digit != kBlank) {
-      const Font& font = *face.font;
-      const Q26_6 width = to_px(font, *face.style, font.advance(digit));
-      rolls.glyph(
-          font, *face.style,
-          {Q26_6::from_raw(at.x.raw + (cells.width.raw - width.raw) / 2), at.y},
-          digit);
-    }
-    if (part.raw == 0) {
-      return;
-    }
-    at.y.raw += pitch * 64;
-  }
-}
 
 struct Counter::Wheel {
   uint16_t digits[2];  // kBlank: a leading zero

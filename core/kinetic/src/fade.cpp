@@ -55,12 +55,27 @@ uint32_t opacity_between(int32_t low,
   return first < second ? first : second;
 }
 
+// Whether a span lies where the window is not soft.
+bool is_clear(const SoftWindow& soft,
+              int32_t x,
+              int32_t y,
+              int32_t count) noexcept {
+  const Rect& window = soft.window;
+  return x >= window.x0 + soft.soft.left &&
+         x + count <= window.x1 - soft.soft.right &&
+         y >= window.y0 + soft.soft.top && y < window.y1 - soft.soft.bottom;
+}
+
 void pass_soft(void* context,
                int32_t x,
                int32_t y,
                const uint8_t* coverage,
                int32_t count) {
   const SoftWindow& soft = *static_cast<const SoftWindow*>(context);
+  if (is_clear(soft, x, y, count)) {
+    soft.target->coverage(soft.target->context, x, y, coverage, count);
+    return;
+  }
   const Rect& window = soft.window;
   const uint32_t row =
       opacity_between(window.y0, window.y1, soft.soft.top, soft.soft.bottom, y);
@@ -74,6 +89,11 @@ void pass_soft(void* context,
 }
 
 void pass_soft_solid(void* context, int32_t x, int32_t y, int32_t count) {
+  const SoftWindow& soft = *static_cast<const SoftWindow*>(context);
+  if (is_clear(soft, x, y, count)) {
+    soft.target->solid(soft.target->context, x, y, count);
+    return;
+  }
   uint8_t full[kMaxSpan];
   for (uint8_t& value : full) {
     value = 255;

@@ -1,5 +1,6 @@
 // A pose for each letter, made when it is drawn.
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/kinetic/moving_letters.hpp"
+
 #include "limits.hpp"
 
 namespace inkcell {

@@ -1,5 +1,7 @@
 // The text up to a letter, and a caret behind it.
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/kinetic/typewriter.hpp"
+
+#include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -32,7 +34,7 @@ int32_t Typewriter::end_ms() const noexcept {
   return static_cast<int32_t>(end < kNever ? end : kNever);
 }
 
-// Half an x-height thinner than a stem, from the ascenders to the descenders.
+// From the ascenders to the descenders.
 Rect Typewriter::caret() const noexcept {
   const int32_t size = face_.style->size().raw >> 6;
   const int32_t y = origin_.y.raw >> 6;

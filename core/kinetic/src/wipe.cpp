@@ -1,7 +1,8 @@
 // A soft edge that moves over a line.
+#include "inkcell/kinetic/wipe.hpp"
+
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/recipes.hpp"
 #include "limits.hpp"
 
 namespace inkcell {

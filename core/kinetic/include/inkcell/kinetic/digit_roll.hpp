@@ -4,17 +4,29 @@
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
+#include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
-#include "inkcell/kinetic/recipes.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
+#include "inkcell/text.hpp"
 
 namespace inkcell {
 namespace kinetic {
 
-inline constexpr uint16_t kBlank = 0xffff;  // a wheel without a digit
+/// Cells of digits, one beside the other. Made by measure_digits().
+struct DigitCells {
+  Q26_6 width;         // of the widest digit's advance [px]
+  int32_t top = 0;     // of a cell, from the baseline [px, y down]
+  int32_t bottom = 0;  // exclusive; digits roll by bottom - top
+};
+DigitCells measure_digits(const Font& font, const Style& style) noexcept;
 
-/// `at` is the left end of the cell's baseline. A part of 0 draws `from`.
+/// A cell without a digit.
+inline constexpr uint16_t kBlank = 0xffff;
+
+/// Draws digits[0] moved up by a part of the cell's height, and digits[1],
+/// which follows it, below: glyphs, or kBlank. `at` is the left end of the
+/// cell's baseline. A part of 0 draws `from`.
 void draw_roll(const Painter& painter,
                const Face& face,
                const DigitCells& cells,
