@@ -29,8 +29,15 @@ mkdir -p docs/img
   --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \
   --glyph e --side 400 --points docs/img/hints.png >/dev/null
-"$tools/inkcell-animate" clock --size 160x64 --fps 15 --seconds 4 \
-  --out docs/img/clock.png
+"$tools/inkcell-animate" reel --fps 15 --format gif --out docs/img/reel.gif
+# Eight frames each of the recipes: scene, first frame [s], frames a second.
+for strip in count,3.5,3 clock,3.5,10 typewriter,1.7,5 wipe,0.9,6 bounce,0,10 \
+  pulse,0,6 ticker,0,2 icons,0.2,10; do
+  scene=${strip%%,*} rest=${strip#*,} fps=${strip##*,}
+  "$tools/inkcell-animate" "$scene" --size 96x48 --from "${rest%%,*}" \
+    --fps "$fps" --seconds "$(echo "8 / $fps" | awk '{print $1 / $3}')" \
+    --format sheet --out "docs/img/recipe_$scene.png"
+done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cat >"$folder/editor.txt" <<END

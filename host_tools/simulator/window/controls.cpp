@@ -18,7 +18,7 @@ struct Named {
   const char* hint;
 };
 
-// In the order of scene_names().
+// The first of scene_names(), in their order.
 constexpr Named kScenes[] = {
     {"text", "Text", "Your text, as inkcell-render draws it. Key: 1"},
     {"demo", "Demo", "The demo of a board: clock, text, a moving line. Key: 2"},
