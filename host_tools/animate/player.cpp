@@ -170,24 +170,6 @@ SceneKind kind_of(std::string_view name,
 
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = {
-      kind_of<scenes::CountScene>("count", "a number rolls up",
-                                  "a number of up to 9 digits"),
-      kind_of<scenes::TickerScene>("ticker", "a line runs by",
-                                   "a line of up to 64 letters"),
-      kind_of<scenes::TypewriterScene>(
-          "typewriter", "a line is typed, and erased", "a line"),
-      kind_of<scenes::WipeScene>("wipe", "a soft edge reveals a word",
-                                 "two words"),
-      kind_of<scenes::LettersScene<scenes::Letters::bounce>>(
-          "bounce", "letters hop", "a line of up to 24 letters"),
-      kind_of<scenes::LettersScene<scenes::Letters::pulse>>(
-          "pulse", "weight runs along a word", "a line of up to 24 letters"),
-      kind_of<scenes::LettersScene<scenes::Letters::splash>>(
-          "splash", "a title comes and goes", "a line of up to 24 letters"),
-      kind_of<scenes::IconScene>("icons", "icons become others",
-                                 "one to four pairs of icons that --morph "
-                                 "pairs"),
-      kind_of<scenes::ChargeScene>("charge", "a number glows", "a short line"),
       kind_of<scenes::PathScene>("path", "letters on a wave",
                                  "a line of up to 24 letters"),
       kind_of<scenes::ClockScene>("clock", "digits that become others",
@@ -202,6 +184,24 @@ const std::vector<SceneKind>& scene_kinds() {
                                    "a letter, or a short word"),
       kind_of<scenes::PrintScene>("print", "light goes round five prints",
                                   "a word"),
+      kind_of<scenes::CountScene>("count", "a number rolls up",
+                                  "a number of up to 9 digits"),
+      kind_of<scenes::TickerScene>("ticker", "a line runs by",
+                                   "a line of up to 64 letters"),
+      kind_of<scenes::TypewriterScene>("typewriter",
+                                       "a line is typed, and erased", "a line"),
+      kind_of<scenes::WipeScene>("wipe", "a soft edge reveals a word",
+                                 "two words"),
+      kind_of<scenes::LettersScene<scenes::Letters::bounce>>(
+          "bounce", "letters hop", "a line of up to 24 letters"),
+      kind_of<scenes::LettersScene<scenes::Letters::pulse>>(
+          "pulse", "weight runs along a word", "a line of up to 24 letters"),
+      kind_of<scenes::LettersScene<scenes::Letters::splash>>(
+          "splash", "a title comes and goes", "a line of up to 24 letters"),
+      kind_of<scenes::IconScene>("icons", "icons become others",
+                                 "one to four pairs of icons that --morph "
+                                 "pairs"),
+      kind_of<scenes::ChargeScene>("charge", "a number glows", "a short line"),
   };
   return kinds;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/face_options.hpp"
 #include "app/options.hpp"
 #include "app/progress.hpp"
 #include "inkcell/text.hpp"
@@ -74,6 +75,7 @@ void warn_of_missing(const RomFile& rom,
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
   const size_t before = app.get_options().size();
   gen::add_generator_options(app, request);
+  gen::add_face_options(app, request);
   const std::vector<CLI::Option*> options = app.get_options();
   for (size_t i = before; i < options.size(); ++i) {
     options[i]->group(kConversion);

@@ -79,6 +79,14 @@ void take_kerning(const Font& font, FontCensus& census) {
   }
 }
 
+void take_morphs(const Font& font, FontCensus& census) {
+  const Span<const uint8_t> morphs = font.section(format::section::kMorphs);
+  if (morphs.size >= format::morphs::kBytes) {
+    census.morph_pairs =
+        static_cast<int>(read_u16(morphs.data + format::morphs::kPairs));
+  }
+}
+
 }  // namespace
 
 void for_each_cell(const GlyphField& field,
@@ -189,6 +197,7 @@ FontCensus take_census(const Font& font) {
   census.grid_units = grid_units(font);
   census.max_points = max_points(font);
   take_kerning(font, census);
+  take_morphs(font, census);
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     census.glyphs.push_back(take_glyph(font, static_cast<uint16_t>(glyph)));
   }

@@ -69,6 +69,7 @@ struct FontCensus {
   FontMetrics metrics;
   FontRange range;
   bool fixed_predicate = false;
+  int morph_pairs = 0;
   int left_classes = 0;
   int right_classes = 0;
   size_t header_bytes = 0;

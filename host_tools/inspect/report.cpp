@@ -397,6 +397,9 @@ std::string font_report(const FontCensus& font) {
          font.glyphs.size(), font.characters, code_point_ranges(font).c_str());
   append(out, "  kerning         %d left classes, %d right\n",
          font.left_classes, font.right_classes);
+  if (font.morph_pairs != 0) {
+    append(out, "  morphs          %d pairs\n", font.morph_pairs);
+  }
   if (font.has_outlines()) {
     append(out, "  at most         %d points in a glyph\n", font.max_points);
   } else {
@@ -464,6 +467,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"metrics", metrics_json(font.metrics)},
       {"characters", font.characters},
       {"kerning_classes", {font.left_classes, font.right_classes}},
+      {"morph_pairs", font.morph_pairs},
       {"section_bytes", sections},
       {"hints", hints_json(font.hints)},
       {"coding", font.coding_name},

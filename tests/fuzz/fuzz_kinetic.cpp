@@ -25,6 +25,7 @@
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/path.hpp"
 #include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/kinetic/recipes.hpp"
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/spring.hpp"
@@ -232,8 +233,9 @@ void use_grids(const Font& font, Choices& choices) {
     morph.draw(x, y, canvas.sink());
   }
   OutlineMorph outlines;
-  const uint16_t to = choices.u16();
-  if (OutlineMorph::open(font, glyph, to, outlines) == Status::ok) {
+  const uint16_t from = choices.byte() % 4;
+  const uint16_t to = choices.byte() % 4;
+  if (OutlineMorph::open(font, from, to, outlines) == Status::ok) {
     alignas(4) uint8_t ram[2048];
     const Style style(choices.q6(), kFilterMotion);
     outlines.draw(Painter(canvas.sink(), Span<uint8_t>(ram)), style, {x, y},
@@ -323,6 +325,44 @@ void use_bodies(Choices& choices) {
   }
 }
 
+// Recipes at any times, with text of any bytes.
+void use_recipes(const Font& font, Choices& choices) {
+  char text[6];
+  for (char& c : text) {
+    c = static_cast<char>(choices.byte());
+  }
+  // Origins are within 8191 px.
+  const Q26_6 x = Q26_6::from_raw(choices.i16() * 16);
+  const Point origin = {x, Q26_6::from_raw(choices.i16() * 16)};
+  const Style style(choices.q6(), kFilterMotion);
+  Timing timing;
+  timing.delay_ms = choices.number() >> 1;
+  timing.duration_ms = choices.number();
+  Counter counter(font, style, origin, choices.byte());
+  const auto counted = static_cast<uint32_t>(choices.number());
+  counter.roll(counted, static_cast<uint32_t>(choices.number()), timing,
+               easing_of(choices));
+  Clock clock(font, style, origin);
+  Typewriter line(font, style, origin, {text, sizeof text}, choices.number());
+  Wipe wipe(font, style, origin, {text, sizeof text}, timing);
+  Canvas canvas;
+  const Sink sink = canvas.sink();
+  const Painter painter(sink);
+  for (int i = 0; i < 2; ++i) {
+    const int32_t now = choices.number();
+    static_cast<void>(counter.at(now));
+    static_cast<void>(clock.at(counted, choices.u16(), now));
+    static_cast<void>(line.at(now));
+    static_cast<void>(wipe.at(now));
+    require(counter.next_due(now) >= now && line.next_due(now) >= now,
+            "what is due is not past");
+    counter.draw(painter);
+    clock.draw(painter);
+    line.draw(painter);
+    wipe.draw(painter);
+  }
+}
+
 }  // namespace
 
 void run(const uint8_t* data, size_t size) {
@@ -348,4 +388,5 @@ void run(const uint8_t* data, size_t size) {
   use_particles(choices);
   use_bodies(choices);
   use_grids(font, choices);
+  use_recipes(font, choices);
 }

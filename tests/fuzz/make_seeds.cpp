@@ -168,7 +168,10 @@ Record one_cell(bool divided) {
 
 // Choices that look random, then a font. Numbers are shifted by their first
 // byte: `near` makes most of them small, so that things meet.
-bool write_kinetic_seed(const std::string& path, uint32_t number, bool near) {
+bool write_kinetic_seed(const std::string& path,
+                        uint32_t number,
+                        bool near,
+                        const std::vector<uint8_t>& font) {
   constexpr size_t kChoices = 2500;
   std::vector<uint8_t> seed(2 + kChoices);
   put_u16(seed.data(), kChoices);
@@ -178,10 +181,60 @@ bool write_kinetic_seed(const std::string& path, uint32_t number, bool near) {
     seed[i] = static_cast<uint8_t>(near ? value % 32 : value);
   }
   seed[2] = 0;
-  std::vector<uint8_t> font(outline_record::kSampleFontBytes);
-  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
   seed.insert(seed.end(), font.begin(), font.end());
   return write_file(path, seed);
+}
+
+std::vector<uint8_t> sample_font() {
+  std::vector<uint8_t> font(outline_record::kSampleFontBytes);
+  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
+  return font;
+}
+
+// A bar that becomes an L, and a bar that becomes a frame: its hole grows from
+// a slit. Numbers of points are as docs/FORMAT.md counts them.
+std::vector<uint8_t> morphing_font() {
+  using namespace outline_record;
+  uint8_t morphs[6 + 2 * 2 + 2 * 16] = {2, 0,          4, 8,          80,
+                                        0, 1 | 2 << 4, 0, 1 | 3 << 4, 16};
+  BitWriter first({morphs + 10, 16});
+  const auto put_stop = [](BitWriter& bits, uint32_t point, uint32_t part) {
+    bits.put(point, 4);
+    bits.put(part, 3);
+  };
+  first.put(4, 4);
+  first.put(1, 2);
+  first.put(6, 7);
+  put_stop(first, 1, 0);
+  put_stop(first, 1, 0);
+  first.put(0, 2);
+  first.put(6, 3);  // an 8th of the side
+  first.put(1, 3);
+  first.put(0, 1);
+  first.put(2, 2);  // stays
+  BitWriter second({morphs + 26, 16});
+  second.put(4, 4);
+  second.put(1, 2);
+  second.put(4, 7);
+  put_stop(second, 1, 0);
+  put_stop(second, 1, 0);
+  second.put(0, 8);
+  second.put(2, 2);
+  second.put(4, 7);
+  for (int chord = 0; chord < 2; ++chord) {
+    put_stop(second, 1, 4);
+    put_stop(second, 3, 4);
+  }
+  second.put(0, 3);
+  put_stop(second, 6, 0);
+  const OutlineSource glyphs[] = {{600, {kBar, 4}},
+                                  {600, {kBar, 4}},
+                                  {600, {kEll, 6}},
+                                  {860, {kFrame, 12}}};
+  std::vector<uint8_t> font(outline_record::kSampleFontBytes);
+  font.resize(build_outline_font({glyphs, 4}, 0, 'A',
+                                 {font.data(), font.size()}, {}, morphs));
+  return font;
 }
 
 }  // namespace
@@ -222,9 +275,15 @@ int main(int argc, char** argv) {
   written &= write_seed(folder + "hints.seed", spec);
   written &= write_all_outline_seeds(std::string(argv[2]) + "/");
   const std::string moving = std::string(argv[3]) + "/";
-  written &= write_kinetic_seed(moving + "far.seed", 1, false);
-  written &= write_kinetic_seed(moving + "far_again.seed", 2, false);
-  written &= write_kinetic_seed(moving + "near.seed", 3, true);
-  written &= write_kinetic_seed(moving + "near_again.seed", 4, true);
+  written &= write_kinetic_seed(moving + "far.seed", 1, false, sample_font());
+  written &=
+      write_kinetic_seed(moving + "far_again.seed", 2, false, sample_font());
+  written &= write_kinetic_seed(moving + "near.seed", 3, true, sample_font());
+  written &=
+      write_kinetic_seed(moving + "near_again.seed", 4, true, sample_font());
+  written &=
+      write_kinetic_seed(moving + "morph.seed", 5, true, morphing_font());
+  written &=
+      write_kinetic_seed(moving + "morph_far.seed", 6, false, morphing_font());
   return written ? 0 : 1;
 }

@@ -377,6 +377,36 @@ TEST(pairs_that_fonts_do_not_hold) {
   CHECK_EQ(differences(), 0);
 }
 
+// What Font::verify says after one byte of the section became another.
+Status verify_with(size_t at, uint8_t value) {
+  build_font();
+  Font font;
+  CHECK_OK(Font::open({font_bytes, font_size}, font));
+  const Span<const uint8_t> section = font.section(format::section::kMorphs);
+  font_bytes[section.data - font_bytes + static_cast<ptrdiff_t>(at)] = value;
+  CHECK(font_builder::repair_checksums({font_bytes, font_size}));
+  CHECK_OK(Font::open({font_bytes, font_size}, font));
+  return font.verify();
+}
+
+TEST(verify_reads_morphs) {
+  CHECK_EQ(verify_with(0, kPairs), Status::ok);
+  CHECK_EQ(verify_with(0, 200), Status::corrupt);  // rows beyond the section
+  CHECK_EQ(verify_with(2, 17), Status::corrupt);   // bits of a glyph
+  CHECK_EQ(verify_with(3, 26), Status::corrupt);   // bits of an offset
+  CHECK_EQ(verify_with(4, 12), Status::corrupt);   // points of the L: 13
+  // Pairs 1 2, 4 5, 7 8.
+  CHECK_EQ(verify_with(6, 1 | 1 << 4), Status::corrupt);
+  CHECK_EQ(verify_with(8, 1 | 2 << 4), Status::corrupt);
+  CHECK_EQ(verify_with(8, 1 | 3 << 4), Status::ok);
+  CHECK_EQ(verify_with(10, 7 | 10 << 4), Status::corrupt);  // of ten glyphs
+  CHECK_EQ(verify_with(9, 0), Status::corrupt);             // no bytes
+  CHECK_EQ(verify_with(9, 200), Status::corrupt);
+  // 96 pieces: too many points.
+  CHECK_EQ(verify_with(kTableEnd, 0x37), Status::corrupt);
+  build_font();
+}
+
 // Whatever a section holds, drawing stays in its window and its RAM, and ends.
 TEST(morphs_of_any_bytes) {
   static uint8_t morphs[kMorphBytes];

@@ -7,6 +7,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "outlines/outline_glyph.hpp"
+#include "verify/morph_verify.hpp"
 #include "verify/outline_verify.hpp"
 
 namespace inkcell {
@@ -193,7 +194,8 @@ Status Font::verify() const noexcept {
       !cmap_fits(cmap_table(), glyph_count_) || !metrics_fit(metrics_table()) ||
       (kerning_table().size != 0 &&
        !KerningCheck().fits(kerning_table(), glyph_count_)) ||
-      !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_)) {
+      !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_) ||
+      !detail::morphs_fit(section(format::section::kMorphs), glyph_count_)) {
     return Status::corrupt;
   }
   const detail::OutlineCoding& coding = detail::outline_coding(*this);

@@ -88,7 +88,7 @@ void count(const Work& work, Total& instructions, uint32_t& stack) {
   instructions.add(board::count_instructions(work));
 }
 
-[[maybe_unused]] bool measure_morph(int32_t px, int32_t scale_log2) {
+bool measure_morph(int32_t px, int32_t scale_log2) {
   kinetic::MorphBox box;
   box.width = px * 70 / 100;
   box.height = px * 88 / 100;
@@ -135,7 +135,7 @@ void count(const Work& work, Total& instructions, uint32_t& stack) {
   return true;
 }
 
-[[maybe_unused]] bool measure_outline_morph(int32_t px) {
+bool measure_outline_morph(int32_t px) {
   const Style style(Q26_6::from_int(px), kFilterMotion);
   const int32_t width = px * 70 / 100;
   const int32_t height = px * 88 / 100;
@@ -177,7 +177,7 @@ void count(const Work& work, Total& instructions, uint32_t& stack) {
 }
 
 // They fly inside walls and bounce off a letter of 96 px.
-[[maybe_unused]] bool measure_particles() {
+bool measure_particles() {
   constexpr uint32_t kCount = 400;
   constexpr int32_t kSide = 96;
   kinetic::DistanceGrid field(grid, kSide, kSide, 0);
@@ -244,7 +244,7 @@ void count(const Work& work, Total& instructions, uint32_t& stack) {
 }
 
 // A letter of 96 px in a vortex.
-[[maybe_unused]] bool measure_level_set() {
+bool measure_level_set() {
   constexpr int32_t kSide = 96;
   constexpr uint32_t kSamples = kSide * kSide;
   kinetic::DistanceGrid field(grid, kSide, kSide, 0);
@@ -382,9 +382,24 @@ int main(int argc, char** argv) {
       measure_recipe<Letters<scenes::Letters::bounce>>("bounce") &&
       measure_recipe<Letters<scenes::Letters::pulse>>("pulse") &&
       measure_recipe<Letters<scenes::Letters::splash>>("splash") &&
-      measure_recipe<scenes::ChargeScene>("charge") && measure_scene<scenes::ClockScene, 320, 240>("clock") &&
+      measure_recipe<scenes::ChargeScene>("charge") && measure_morph(48, 0) &&
+      measure_morph(96, 0) && measure_morph(96, 1) &&
+      measure_outline_morph(48) && measure_outline_morph(96) &&
+      measure_particles() && measure_level_set() &&
+      measure_scene<scenes::BodyScene, 320, 240>("figure13") &&
+      measure_scene<scenes::BodyScene, 128, 64>("figure13") &&
+      measure_scene<scenes::OffsetScene, 320, 240>("figure14") &&
+      measure_scene<scenes::OffsetScene, 128, 64>("figure14") &&
+      measure_scene<scenes::PrintScene, 320, 240>("print") &&
+      measure_scene<scenes::PrintScene, 128, 64>("print") &&
+      measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
+      measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
+      measure_scene<scenes::PathScene, 320, 240>("path") &&
+      measure_scene<scenes::ClockScene, 320, 240>("clock") &&
       measure_scene<scenes::ClockScene, 128, 64>("clock") &&
-      measure_scene<scenes::ClockScene, 96, 16>("clock");
+      measure_scene<scenes::ClockScene, 96, 16>("clock") &&
+      measure_scene<scenes::ParticleScene, 320, 240>("particle_text") &&
+      measure_scene<scenes::ParticleScene, 128, 64>("particle_text");
   if (!is_measured) {
     board::print("a scene does not open, or the RAM is too small\n");
     return 1;

@@ -1,0 +1,17 @@
+// What Font::verify asks of MORP.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/span.hpp"
+
+namespace inkcell {
+namespace detail {
+
+/// Whether pairs ascend and name glyphs that exist, and each record says what
+/// docs/FORMAT.md allows, within its bytes. An empty section fits.
+bool morphs_fit(const Span<const uint8_t>& section,
+                uint32_t glyph_count) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell
