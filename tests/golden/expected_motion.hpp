@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "47791fd540e8c51828f7e6ddb3b1fe1db778ce08faede0b30cb6485785101da5";
+    "fbe224709bff71f427be479fd01590c033b99746d576566903e10140d36e484a";
 inline constexpr const char* kClockHash =
     "49483bb85f8c6e5165f8706cfd0a24f5c4d2c322d7ab81cc489f080f881f4c64";
 inline constexpr const char* kParticlesHash =
@@ -18,7 +18,7 @@ inline constexpr const char* kFigure15Hash =
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 inline constexpr const char* kCountHash =
-    "0cb3df52eee51b9aa72cbf0727dbf476123d328b59b345b54170ecb0859e79dd";
+    "c7150ad53a4b7cfba5e66d1e563b71acea935e17d462e0e5b7c37baf468a18c8";
 inline constexpr const char* kTickerHash =
     "7df0d8825b834b6faf46cefdb9af60d5a2ae3fcd20877b4ad20522cb5a98d281";
 inline constexpr const char* kTypewriterHash =
