@@ -22,7 +22,7 @@ class Record {
     for (;;) {
       const uint32_t kind = take(morphs::kKindBits);
       if (kind == morphs::kEnd) {
-        return bit_ <= 8 * bytes_.size;
+        return true;
       }
       const uint32_t pieces = take(morphs::kPieceCountBits);
       const bool is_slit[] = {kind == morphs::kSecondOnly,
@@ -33,7 +33,7 @@ class Record {
         take_move(is_slit[i % 2]);
       }
       const uint32_t points = 1 + 2 * pieces;
-      if (points > room || bit_ > 8 * bytes_.size) {
+      if (points > room) {
         return false;
       }
       room -= points;
@@ -41,11 +41,10 @@ class Record {
   }
 
  private:
-  // 0 beyond the end, which bit_ then tells.
+  // 0 beyond the end: records leave out the zeros at theirs.
   uint32_t take(uint32_t count) noexcept {
-    const uint32_t value = count == 0 || bit_ + count > 8 * bytes_.size
-                               ? 0
-                               : bits_at(bytes_, bit_, count);
+    const uint32_t value =
+        bit_ >= 8 * bytes_.size ? 0 : bits_at(bytes_, bit_, count);
     bit_ += count;
     return value;
   }

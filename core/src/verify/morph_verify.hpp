@@ -8,8 +8,8 @@
 namespace inkcell {
 namespace detail {
 
-/// Whether pairs ascend and name glyphs that exist, and each record says what
-/// docs/FORMAT.md allows, within its bytes. An empty section fits.
+/// Whether pairs ascend and name glyphs that exist, and no record makes more
+/// points than the section says. An empty section fits.
 bool morphs_fit(const Span<const uint8_t>& section,
                 uint32_t glyph_count) noexcept;
 
