@@ -2,6 +2,7 @@
 // read by FreeType and HarfBuzz.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "export/rom.hpp"
@@ -143,6 +144,121 @@ TEST(Ttf, CubicsKeepTheirShape) {
   for (const gen::Edge& edge : after.edges()) {
     // A third of a unit, and the rounding of points to integers.
     EXPECT_LT(std::fabs(before.distance(edge.a.x, edge.a.y)), 1.1);
+  }
+}
+
+Project kerned() {
+  gen::CharSet characters;
+  gen::add_ranges("0x20-0x7E,0xC0-0xFF", characters);
+  gen::Warnings warnings;
+  return import_font("/usr/share/fonts/truetype/lato/Lato-Regular.ttf",
+                     characters, warnings);
+}
+
+// Each of kern and GPOS alone has all of the kerning.
+TEST(Ttf, KerningIsInBothTables) {
+  const Project project = kerned();
+  const KerningLookup lookup(*project.font);
+  for (const std::string table : {"kern", "GPOS"}) {
+    std::vector<uint8_t> bytes = write_ttf(project);
+    const auto found =
+        std::search(bytes.begin(), bytes.end(), table.begin(), table.end());
+    ASSERT_NE(found, bytes.end());
+    *found = 'x';
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "font.ttf";
+    write_text(file, std::string(bytes.begin(), bytes.end()));
+    const gen::SourceFont font = load(file);
+    size_t pairs = 0;
+    for (size_t i = 1; i < font.glyphs.size(); ++i) {
+      for (size_t k = 1; k < font.glyphs.size(); ++k) {
+        const auto name = [&](size_t glyph) {
+          for (const auto& [name, each] : project.front().glyphs) {
+            if (!each->unicodes.empty() &&
+                each->unicodes == font.glyphs[glyph].code_points) {
+              return name;
+            }
+          }
+          return std::string();
+        };
+        const int value = font.kerning.empty() ? 0 : font.kerning.value(i, k);
+        pairs += value != 0 ? 1u : 0u;
+        if (i % 7 == 0 && k % 5 == 0) {
+          EXPECT_EQ(value, lookup.value(name(i), name(k)));
+        }
+      }
+    }
+    EXPECT_GT(pairs, 1000u) << "without " << table;
+  }
+}
+
+TEST(Ttf, LeavesOutPartsAndDrawsNotdef) {
+  Project project;
+  const auto add = [&project](const std::string& name,
+                              std::vector<char32_t> unicodes,
+                              std::vector<ComponentUse> components = {}) {
+    Glyph glyph;
+    glyph.name = name;
+    glyph.width = 500;
+    glyph.unicodes = std::move(unicodes);
+    glyph.components = std::move(components);
+    if (glyph.components.empty()) {
+      glyph.contours = {parse_contour(Value::parse("[[0,0],[99,0],[9,99]]"))};
+    }
+    project.front().glyphs[name] =
+        std::make_shared<const Glyph>(std::move(glyph));
+  };
+  add("_stem", {});
+  add("accent", {});
+  add("unused", {});
+  add("A", {U'A'}, {{"_stem", {}, ""}});
+  add("B", {U'B'}, {{"accent", {}, ""}});
+  TtfReport report;
+  const TemporaryFolder folder;
+  const std::vector<uint8_t> bytes = write_ttf(project, &report);
+  EXPECT_EQ(report.left_out, (std::vector<std::string>{"_stem", "unused"}));
+  const std::filesystem::path file = folder.path() / "font.ttf";
+  write_text(file, std::string(bytes.begin(), bytes.end()));
+  const gen::SourceFont font = load(file);
+  ASSERT_EQ(font.glyphs.size(), 4u);  // .notdef, A, B and its component
+  EXPECT_EQ(font.glyphs[0].outline.contours.size(), 2u);
+  EXPECT_FALSE(gen::Shape(font.glyphs[0].outline).empty());
+  EXPECT_EQ(font.glyphs[1].outline.contours.size(), 1u);
+  EXPECT_TRUE(font.components[1].empty());
+  EXPECT_EQ(font.components[2].size(), 1u);
+}
+
+// Two faces whose hhea and OS/2 differ, with and without USE_TYPO_METRICS.
+TEST(Ttf, HeightsAndNoticesStayAsTheyWere) {
+  for (const char* name : {"lato/Lato-BoldItalic.ttf", "dejavu/DejaVuSans.ttf",
+                           "roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"}) {
+    gen::CharSet characters = {U'A'};
+    gen::Warnings warnings;
+    Project before = import_font(
+        std::string("/usr/share/fonts/truetype/") + name, characters, warnings);
+    for (const char* selection : {"[]", "[7]"}) {
+      before.apply(change_of(before, {{"do", "set_info"},
+                                      {"key", "openTypeOS2Selection"},
+                                      {"value", Value::parse(selection)}}));
+      before.apply(change_of(before, {{"do", "set_info"},
+                                      {"key", "openTypeOS2TypoLineGap"},
+                                      {"value", 123}}));
+      const TemporaryFolder folder;
+      const Project after =
+          import_font(written(folder, before), characters, warnings);
+      Value info = after.font->info;
+      // The height that counts depends on the selection.
+      for (const char* key : {"ascender", "descender"}) {
+        info[key] = before.font->info[key];
+      }
+      EXPECT_EQ(info, before.font->info);
+      EXPECT_TRUE(before.font->info.contains("copyright"));
+      const gen::SourceFont read = load(written(folder, before));
+      EXPECT_EQ(read.metrics.line_gap,
+                std::string(selection) == "[7]"
+                    ? 123
+                    : before.font->info["openTypeHheaLineGap"].get<int>());
+    }
   }
 }
 

@@ -81,6 +81,9 @@ GlyfGlyph composite_of(const Project& project, const Glyph& glyph) {
     if (base.contours.empty()) {
       continue;
     }
+    if (use.base[0] == '_') {
+      return {};
+    }
     std::optional<GlyfComponent> component =
         component_of(use, box_of(base.contours));
     if (!component) {

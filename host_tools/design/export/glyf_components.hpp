@@ -33,6 +33,7 @@ struct GlyfGlyph {
 };
 
 /// The glyph as a composite if a record can hold it: no contours of its own;
+/// no component whose name begins with '_', which fonts leave out;
 /// matrices in [-2, 2) whose rounding to Q2.14 moves no point by more than 1/8
 /// unit; and no reflected component near another one, as their opposite
 /// contours would cancel. Else as contours. Drops components without ink.

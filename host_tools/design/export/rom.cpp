@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "app/output.hpp"
-#include "export/ttf.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -39,9 +38,11 @@ class TemporaryFile {
 
 }  // namespace
 
-gen::RomFont make_rom(const Project& project, gen::GenerateRequest request) {
+gen::RomFont make_rom(const Project& project,
+                      gen::GenerateRequest request,
+                      TtfReport* report) {
   const TemporaryFile file;
-  const std::vector<uint8_t> ttf = write_ttf(project);
+  const std::vector<uint8_t> ttf = write_ttf(project, report);
   gen::OutputFile out(file.path());
   out.write({reinterpret_cast<const char*>(ttf.data()), ttf.size()});
   out.commit();
@@ -49,6 +50,9 @@ gen::RomFont make_rom(const Project& project, gen::GenerateRequest request) {
   if (request.chars.empty() && request.symbols.empty() &&
       request.text_files.empty()) {
     for (const auto& [name, glyph] : project.front().glyphs) {
+      if (name[0] == '_') {
+        continue;
+      }
       for (const char32_t c : glyph->unicodes) {
         request.chars.push_back(std::to_string(static_cast<uint32_t>(c)));
       }

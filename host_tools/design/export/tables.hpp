@@ -1,4 +1,4 @@
-// Small tables of TrueType fonts.
+// Small tables of TrueType fonts, and fontinfo in them.
 #pragma once
 
 #include <map>
@@ -7,6 +7,7 @@
 
 #include "export/sfnt.hpp"
 #include "model/project.hpp"
+#include "source/kerning.hpp"
 
 namespace inkcell::design {
 
@@ -14,8 +15,30 @@ namespace inkcell::design {
 BigEndian cmap_table(const std::map<char32_t, unsigned>& map);
 
 /// Kerning of all pairs of these glyphs, in their order; empty without kerning.
-BigEndian kern_table(const FontData& font,
-                     const std::vector<std::string>& glyphs);
+gen::KerningMatrix kerning_of(const FontData& font,
+                              const std::vector<std::string>& glyphs);
+size_t kerned_pairs(const gen::KerningMatrix& kerning);
+
+/// The same kerning as pairs, for old readers, and as classes of the feature
+/// `kern`. `kerning` is not empty.
+BigEndian kern_table(const gen::KerningMatrix& kerning);
+BigEndian gpos_table(const gen::KerningMatrix& kerning);
+
+/// Texts of the font by their numbers in the table name, and by their keys in
+/// fontinfo: notices and licences.
+struct NameKey {
+  unsigned id;
+  const char* key;
+};
+inline constexpr NameKey kNameKeys[] = {{0, "copyright"},
+                                        {7, "trademark"},
+                                        {8, "openTypeNameManufacturer"},
+                                        {9, "openTypeNameDesigner"},
+                                        {10, "openTypeNameDescription"},
+                                        {11, "openTypeNameManufacturerURL"},
+                                        {12, "openTypeNameDesignerURL"},
+                                        {13, "openTypeNameLicense"},
+                                        {14, "openTypeNameLicenseURL"}};
 
 /// Kerning between two glyphs as in UFO 3: pairs of glyphs before pairs of
 /// groups (public.kern1.*, public.kern2.*). [font units] Refers to the font.

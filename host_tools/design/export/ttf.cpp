@@ -26,7 +26,10 @@ struct ExportGlyph {
 
 class TtfWriter {
  public:
-  explicit TtfWriter(const Project& project) : project_(project) { collect(); }
+  TtfWriter(const Project& project, TtfReport& report)
+      : project_(project), report_(report) {
+    collect();
+  }
 
   std::vector<uint8_t> write() {
     add_outlines();
@@ -58,6 +61,29 @@ class TtfWriter {
                : otherwise;
   }
   int em() const { return info("unitsPerEm", 1000); }
+  // A list of numbers; empty without one.
+  std::vector<unsigned> numbers(const char* key) const {
+    std::vector<unsigned> list;
+    const auto found = project_.font->info.find(key);
+    if (found != project_.font->info.end() && found->is_array()) {
+      for (const Value& value : *found) {
+        if (value.is_number_unsigned()) {
+          list.push_back(value.get<unsigned>());
+        }
+      }
+    }
+    return list;
+  }
+  unsigned bits(const char* key) const {
+    unsigned sum = 0;
+    for (const unsigned bit : numbers(key)) {
+      sum |= bit < 16 ? 1u << bit : 0;
+    }
+    return sum;
+  }
+  bool is_style(const char* word) const {
+    return text("styleMapStyleName", "").find(word) != std::string::npos;
+  }
 
   void collect() {
     std::vector<std::string> names = glyph_order(project_);
@@ -65,17 +91,60 @@ class TtfWriter {
     if (notdef != names.end()) {
       std::rotate(names.begin(), notdef, notdef + 1);
     } else {
-      ExportGlyph glyph;
-      glyph.name = ".notdef";
-      glyph.advance = em() / 2;
-      glyphs_.push_back(glyph);
+      add_box();
     }
     for (const std::string& glyph_name : names) {
-      add_glyph(*project_.glyph(glyph_name));
+      const Glyph& glyph = *project_.glyph(glyph_name);
+      if (glyph_name == ".notdef" ||
+          (glyph_name[0] != '_' && !glyph.unicodes.empty())) {
+        want(glyph_name);
+      }
     }
+    for (const std::string& glyph_name : names) {
+      if (outlines_.count(glyph_name) != 0) {
+        add_glyph(*project_.glyph(glyph_name));
+      } else {
+        report_.left_out.push_back(glyph_name);
+      }
+    }
+    report_.glyphs = glyphs_.size();
+    report_.has_features = !project_.font->features.empty();
     if (glyphs_.size() > 65535) {
       throw Error("the project has more than 65535 glyphs, the limit of fonts");
     }
+  }
+
+  // A glyph that the font has, and the components that it needs.
+  void want(const std::string& name) {
+    if (outlines_.count(name) != 0) {
+      return;
+    }
+    try {
+      outlines_[name] = glyf_glyph(project_, *project_.glyph(name));
+    } catch (const Error& error) {
+      throw Error("glyph '" + name + "': " + error.what());
+    }
+    for (const GlyfComponent& component : outlines_[name].components) {
+      want(component.base);
+    }
+  }
+
+  // An empty box in the place of .notdef.
+  void add_box() {
+    const int line = em() / 20;
+    const int right = em() / 2 - line;
+    const int top = std::max(info("capHeight", 0.7 * em()), 3 * line);
+    ExportGlyph glyph;
+    glyph.name = ".notdef";
+    glyph.advance = em() / 2;
+    glyph.outline.contours = {
+        {{line, 0}, {line, top}, {right, top}, {right, 0}},
+        {{2 * line, line},
+         {right - line, line},
+         {right - line, top - line},
+         {2 * line, top - line}}};
+    glyph.box = box_of(glyph.outline.contours);
+    glyphs_.push_back(std::move(glyph));
   }
 
   void add_glyph(const Glyph& source) {
@@ -84,11 +153,7 @@ class TtfWriter {
     glyph.unicodes = source.unicodes;
     glyph.advance =
         static_cast<int>(std::lround(std::clamp(source.width, 0.0, 65535.0)));
-    try {
-      glyph.outline = glyf_glyph(project_, source);
-    } catch (const Error& error) {
-      throw Error("glyph '" + source.name + "': " + error.what());
-    }
+    glyph.outline = std::move(outlines_[source.name]);
     glyph.box = box_of(glyph.outline.contours);
     glyphs_.push_back(std::move(glyph));
   }
@@ -144,7 +209,7 @@ class TtfWriter {
     table.i16(least(&GlyfBox::y0));
     table.i16(most(&GlyfBox::x1));
     table.i16(most(&GlyfBox::y1));
-    table.u16(0);  // style
+    table.u16((is_style("bold") ? 1u : 0u) | (is_style("italic") ? 2u : 0u));
     table.u16(6);  // least size
     table.i16(2);
     table.i16(1);  // long offsets
@@ -244,16 +309,23 @@ class TtfWriter {
     table.i16(count == 0 ? 0 : std::min(sum / count, 32767));
     table.u16(static_cast<unsigned>(info("openTypeOS2WeightClass", 400)));
     table.u16(static_cast<unsigned>(info("openTypeOS2WidthClass", 5)));
-    table.u16(0);  // may be installed
+    table.u16(bits("openTypeOS2Type"));
     for (const double part : {0.65, 0.7, 0.0, 0.14, 0.65, 0.7, 0.0, 0.48, 0.05,
                               0.26}) {  // sub-, superscripts, strike-out
       table.i16(static_cast<int>(part * em()));
     }
-    for (int i = 0; i < 2 + 10 + 16; ++i) {  // class, PANOSE, ranges
-      table.u8(0);
+    table.u16(0);  // class
+    std::vector<unsigned> panose = numbers("openTypeOS2Panose");
+    panose.resize(10 + 16);  // and ranges of characters
+    for (const unsigned value : panose) {
+      table.u8(value);
     }
-    table.text("NONE");
-    table.u16(0x40);  // regular
+    std::string vendor = text("openTypeOS2VendorID", "NONE");
+    vendor.resize(4, ' ');
+    table.text(vendor);
+    const unsigned style =
+        (is_style("italic") ? 1u : 0u) | (is_style("bold") ? 0x20u : 0u);
+    table.u16(bits("openTypeOS2Selection") | (style == 0 ? 0x40 : style));
     table.u16(static_cast<unsigned>(std::min<char32_t>(first, 0xffff)));
     table.u16(static_cast<unsigned>(std::min<char32_t>(last, 0xffff)));
     table.i16(info("openTypeOS2TypoAscender", ascender()));
@@ -300,13 +372,18 @@ class TtfWriter {
                                              std::string::npos;
                                 }),
                  script.end());
-    const std::pair<unsigned, std::string> entries[] = {
+    std::map<unsigned, std::string> entries = {
         {1, family},
         {2, style},
         {3, script + ";" + text("versionMajor", "1")},
         {4, family + " " + style},
         {5, "Version 1.000" + std::string(tools::kExportMark)},
         {6, script}};
+    for (const NameKey& name : kNameKeys) {
+      if (!text(name.key, "").empty()) {
+        entries[name.id] = text(name.key, "");
+      }
+    }
     BigEndian records;
     BigEndian strings;
     for (const auto& [id, value] : entries) {
@@ -329,7 +406,7 @@ class TtfWriter {
     }
     BigEndian table;
     table.u16(0);
-    table.u16(static_cast<unsigned>(std::size(entries)));
+    table.u16(static_cast<unsigned>(entries.size()));
     table.u16(static_cast<unsigned>(6 + records.size()));
     table.append(records);
     table.append(strings);
@@ -362,21 +439,49 @@ class TtfWriter {
     for (const ExportGlyph& glyph : glyphs_) {
       names.push_back(glyph.name);
     }
-    BigEndian table = kern_table(*project_.font, names);
-    if (table.size() != 0) {
-      tables_["kern"] = std::move(table);
+    const gen::KerningMatrix kerning = kerning_of(*project_.font, names);
+    if (!kerning.empty()) {
+      tables_["kern"] = kern_table(kerning);
+      tables_["GPOS"] = gpos_table(kerning);
+      report_.kerned_pairs = kerned_pairs(kerning);
     }
   }
 
   const Project& project_;
+  TtfReport& report_;
+  std::map<std::string, GlyfGlyph> outlines_;
   std::vector<ExportGlyph> glyphs_;
   std::map<std::string, BigEndian> tables_;
 };
 
 }  // namespace
 
-std::vector<uint8_t> write_ttf(const Project& project) {
-  return TtfWriter(project).write();
+std::string TtfReport::text() const {
+  constexpr size_t kMostNames = 5;
+  std::string result =
+      std::to_string(glyphs) + (glyphs == 1 ? " glyph" : " glyphs");
+  if (kerned_pairs != 0) {
+    result += ", " + std::to_string(kerned_pairs) + " pairs of kerning";
+  }
+  std::string missing;
+  for (size_t i = 0; i < std::min(left_out.size(), kMostNames); ++i) {
+    missing += (i == 0 ? "" : ", ") + left_out[i];
+  }
+  if (left_out.size() > kMostNames) {
+    missing += " and " + std::to_string(left_out.size() - kMostNames) + " more";
+  }
+  if (!missing.empty()) {
+    missing = "glyphs without a code point: " + missing;
+  }
+  if (has_features) {
+    missing += (missing.empty() ? "" : "; ") + std::string("features.fea");
+  }
+  return result + (missing.empty() ? "" : "; left out: " + missing);
+}
+
+std::vector<uint8_t> write_ttf(const Project& project, TtfReport* report) {
+  TtfReport unread;
+  return TtfWriter(project, report == nullptr ? unread : *report).write();
 }
 
 }  // namespace inkcell::design

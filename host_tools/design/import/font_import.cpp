@@ -3,17 +3,22 @@
 #include "source/font_source.hpp"
 
 #include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
+#include <hb-ot.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "export/tables.hpp"
 #include "model/contours.hpp"
+#include "model/glyph_names.hpp"
 
 namespace inkcell::design {
 namespace {
 
 constexpr size_t kLongestName = 128;
+constexpr size_t kLongestText = 8192;  // of the table name
 
 // One contour of FreeType, point by point. The first point is that of the file;
 // types describe the curve that ends there.
@@ -117,21 +122,6 @@ std::string printable(const std::string& name) {
   return ok ? name : "";
 }
 
-// As in the Adobe Glyph List for New Fonts: letters of ASCII are their own
-// names, other characters "uni" or "u" and their code point.
-std::string name_of_character(const gen::SourceGlyph& glyph) {
-  if (glyph.code_points.empty()) {
-    return "";
-  }
-  const auto c = static_cast<uint32_t>(glyph.code_points.front());
-  if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
-    return std::string(1, static_cast<char>(c));
-  }
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, c > 0xFFFF ? "u%05X" : "uni%04X", c);
-  return buffer;
-}
-
 class FontImporter {
  public:
   FontImporter(const std::filesystem::path& path, gen::Warnings& warnings)
@@ -173,8 +163,8 @@ class FontImporter {
 
   std::string name_of(const gen::SourceGlyph& glyph) {
     std::string name = name_in_file(glyph);
-    if (name.empty()) {
-      name = name_of_character(glyph);
+    if (name.empty() && !glyph.code_points.empty()) {
+      name = name_of_character(glyph.code_points.front());
     }
     if (name.empty() || !used_.insert(name).second) {
       char buffer[32];
@@ -269,6 +259,71 @@ class FontImporter {
     };
     put("familyName", file_.ft()->family_name);
     put("styleName", file_.ft()->style_name);
+    for (const NameKey& name : kNameKeys) {
+      std::vector<char> text(kLongestText);
+      auto size = static_cast<unsigned>(text.size());
+      hb_ot_name_get_utf8(file_.hb_face(), name.id,
+                          hb_language_from_string("en", -1), &size,
+                          text.data());
+      put(name.key, text.data());
+    }
+    fill_tables(font.info);
+  }
+
+  // The heights of hhea and OS/2 as they are, and what else these tables say.
+  void fill_tables(Value& info) const {
+    const auto* hhea = static_cast<const TT_HoriHeader*>(
+        FT_Get_Sfnt_Table(file_.ft(), FT_SFNT_HHEA));
+    if (hhea != nullptr && (hhea->Ascender != 0 || hhea->Descender != 0)) {
+      info["openTypeHheaAscender"] = hhea->Ascender;
+      info["openTypeHheaDescender"] = hhea->Descender;
+      info["openTypeHheaLineGap"] = hhea->Line_Gap;
+    }
+    const auto* post = static_cast<const TT_Postscript*>(
+        FT_Get_Sfnt_Table(file_.ft(), FT_SFNT_POST));
+    if (post != nullptr) {
+      info["italicAngle"] = static_cast<double>(post->italicAngle) / 65536;
+      info["postscriptUnderlinePosition"] = post->underlinePosition;
+      info["postscriptUnderlineThickness"] = post->underlineThickness;
+    }
+    const auto* os2 =
+        static_cast<const TT_OS2*>(FT_Get_Sfnt_Table(file_.ft(), FT_SFNT_OS2));
+    if (os2 == nullptr || os2->version == 0xffff) {
+      return;
+    }
+    info["openTypeOS2TypoAscender"] = os2->sTypoAscender;
+    info["openTypeOS2TypoDescender"] = os2->sTypoDescender;
+    info["openTypeOS2TypoLineGap"] = os2->sTypoLineGap;
+    info["openTypeOS2WinAscent"] = os2->usWinAscent;
+    info["openTypeOS2WinDescent"] = os2->usWinDescent;
+    info["openTypeOS2WeightClass"] = os2->usWeightClass;
+    if (os2->usWidthClass >= 1 && os2->usWidthClass <= 9) {
+      info["openTypeOS2WidthClass"] = os2->usWidthClass;
+    }
+    info["openTypeOS2Panose"] = os2->panose;
+    const std::string vendor = printable(
+        std::string(reinterpret_cast<const char*>(os2->achVendID), 4));
+    if (!vendor.empty()) {
+      info["openTypeOS2VendorID"] = vendor;
+    }
+    constexpr unsigned kItalic = 1, kBold = 0x20, kRegular = 0x40;
+    const unsigned selection = os2->fsSelection;
+    info["styleMapStyleName"] =
+        (selection & kBold) != 0
+            ? ((selection & kItalic) != 0 ? "bold italic" : "bold")
+            : ((selection & kItalic) != 0 ? "italic" : "regular");
+    const auto bits = [](unsigned value) {
+      Value list = Value::array();
+      for (unsigned bit = 0; bit < 16; ++bit) {
+        if ((value >> bit & 1) != 0) {
+          list.push_back(bit);
+        }
+      }
+      return list;
+    };
+    info["openTypeOS2Selection"] =
+        bits(selection & ~(kItalic | kBold | kRegular));
+    info["openTypeOS2Type"] = bits(os2->fsType);
   }
 
   // Classes become groups; a class of one glyph needs none.
@@ -320,6 +375,29 @@ class FontImporter {
 };
 
 }  // namespace
+
+std::string tables_left_out(const std::filesystem::path& path) {
+  static const std::set<std::string> known = {
+      "head", "hhea", "maxp", "OS/2", "hmtx", "cmap", "loca",
+      "glyf", "CFF ", "CFF2", "name", "post", "kern"};
+  const gen::FontFile file(path, 0, {});
+  std::string names;
+  FT_ULong tag = 0;
+  FT_ULong length = 0;
+  for (FT_UInt i = 0; FT_Sfnt_Table_Info(file.ft(), i, &tag, &length) == 0;
+       ++i) {
+    const std::string name = {static_cast<char>(tag >> 24 & 0xff),
+                              static_cast<char>(tag >> 16 & 0xff),
+                              static_cast<char>(tag >> 8 & 0xff),
+                              static_cast<char>(tag & 0xff)};
+    if (known.count(name) == 0) {
+      names += (names.empty() ? "" : ", ") +
+               (name == "GPOS" ? "GPOS except kerning"
+                               : name.substr(0, name.find(' ')));
+    }
+  }
+  return names;
+}
 
 Project import_font(const std::filesystem::path& file,
                     const gen::CharSet& characters,

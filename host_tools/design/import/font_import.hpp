@@ -30,4 +30,8 @@ Project import_font(const std::filesystem::path& file,
                     gen::Warnings& warnings,
                     Composites composites = Composites::keep);
 
+/// The tables of the file that import_font() does not read, for messages; empty
+/// if there are none.
+std::string tables_left_out(const std::filesystem::path& file);
+
 }  // namespace inkcell::design

@@ -42,12 +42,14 @@ void say_warnings(const gen::Warnings& warnings) {
   }
 }
 
-void export_rom(const Project& project, ConvertArguments& arguments) {
+void export_rom(const Project& project,
+                ConvertArguments& arguments,
+                TtfReport& report) {
   std::optional<gen::Progress> progress(false);
   arguments.request.progress = [&progress](size_t done, size_t count) {
     progress->update(done, count);
   };
-  const gen::RomFont font = make_rom(project, arguments.request);
+  const gen::RomFont font = make_rom(project, arguments.request, &report);
   progress.reset();
   say_warnings(font.warnings);
   write_bytes(arguments.out, font.bytes);
@@ -62,10 +64,11 @@ void run_export(ConvertArguments& arguments) {
     return;
   }
   gen::check_writable(arguments.out);
+  TtfReport report;
   if (ending == ".ttf") {
-    write_bytes(arguments.out, write_ttf(project));
+    write_bytes(arguments.out, write_ttf(project, &report));
   } else if (ending == ".bin") {
-    export_rom(project, arguments);
+    export_rom(project, arguments, report);
   } else if (ending == ".svg") {
     if (arguments.glyph.empty()) {
       throw Error("say with --glyph which glyph to draw");
@@ -78,8 +81,12 @@ void run_export(ConvertArguments& arguments) {
     throw Error(arguments.out +
                 ": its ending says what to write: .ttf, .bin, .ufo or .svg");
   }
-  std::printf("%s: %ju bytes\n", arguments.out.c_str(),
+  std::printf("%s: %ju bytes", arguments.out.c_str(),
               static_cast<uintmax_t>(fs::file_size(arguments.out)));
+  if (report.glyphs != 0) {
+    std::printf(", %s", report.text().c_str());
+  }
+  std::printf("\n");
 }
 
 void run_import(const ConvertArguments& arguments) {
@@ -99,6 +106,11 @@ void run_import(const ConvertArguments& arguments) {
   write_ufo(project, arguments.out, files);
   std::printf("%s: %zu glyphs\n", arguments.out.c_str(),
               project.front().glyphs.size());
+  const std::string left_out = tables_left_out(arguments.font);
+  if (!left_out.empty()) {
+    std::printf("tables of %s that are left out: %s\n", arguments.font.c_str(),
+                left_out.c_str());
+  }
 }
 
 }  // namespace
