@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
           "host_tools/design/samples/pen_face.lua")
@@ -131,8 +132,65 @@ def check_names(design, folder):
          "--out", project)
     names = set(plistlib.loads(
         (project / "glyphs/contents.plist").read_bytes()))
-    expect(names == {".notdef", "A", "a", "uni0031", "u1D538"},
+    expect(names == {".notdef", "A", "a", "one", "u1D538"},
            f"import: glyphs without names are named {sorted(names)}")
+
+
+def contours_of(project, name):
+    glif, = (project / "glyphs").glob(f"{name}.glif")
+    return glif.read_text().count("<contour>"), glif.read_text()
+
+
+def check_additions(design, folder):
+    """Strokes are added to glyphs; new glyphs get their characters; each
+    command says what it did."""
+    project = folder / "Lato.ufo"
+    said = good(design, "import", "--font", LATO, "--chars", "l,A,V,0xC4",
+                "--out", project)
+    expect("tables of" in said and "GSUB" in said and "fpgm" in said and
+           "GPOS except kerning" in said and "hmtx" not in said,
+           f"import names the tables that it leaves out: {said!r}")
+    (folder / "bar.path").write_text("0 300\n600 300\n")
+    glyph = ("stroke", "--path", folder / "bar.path", "--project", project,
+             "--glyph")
+    said = good(design, *glyph, "l")
+    expect("beside 1 contour (--replace" in said and
+           contours_of(project, "l")[0] == 2, f"stroke adds: {said!r}")
+    said = good(design, *glyph, "l", "--replace")
+    expect("in place of 2 contours" in said and
+           contours_of(project, "l")[0] == 1, f"stroke replaces: {said!r}")
+    said = good(design, *glyph, "Q")
+    expect("new glyph 'Q', U+0051" in said and
+           '<unicode hex="0051"' in contours_of(project, "Q_")[1],
+           f"a new Q: {said!r}")
+    said = good(design, *glyph, "circled", "--unicode", "U+2460")
+    expect("U+2460" in said, f"--unicode: {said!r}")
+    said = good(design, *glyph, "_bar", "--grid", "0")
+    expect("no code point" in said, f"a part: {said!r}")
+    bad(design, "is for new glyphs", *glyph, "Q", "--unicode", "U+51")
+    bad(design, "one character", *glyph, "new", "--unicode", "A-C")
+    good(design, "replay", "--project", project, "--do",
+         '{"do": "add_component", "glyph": "V", "base": "_bar"}',
+         "--do", '{"do": "set_features", "text": "feature liga {} liga;"}')
+    said = good(design, "export", "--project", project, "--out",
+                folder / "lato.ttf")
+    expect("pairs of kerning" in said and "features.fea" in said and
+           "left out: glyphs without a code point: " in said and
+           "_bar" in said,
+           f"export says what it leaves out: {said!r}")
+    said = good(design, "export", "--project", project, "--out",
+                folder / "lato.bin")
+    expect("_bar" in said, f"export of an Inkcell font: {said!r}")
+    again = folder / "Again2.ufo"
+    good(design, "import", "--font", folder / "lato.ttf", "--out", again)
+    names = set(plistlib.loads((again / "glyphs/contents.plist").read_bytes()))
+    expect("_bar" not in names and "dieresis" in " ".join(names),
+           f"the font has no parts but components: {sorted(names)}")
+    info = [plistlib.loads((path / "fontinfo.plist").read_bytes())
+            for path in (project, again)]
+    expect(info[0] == info[1], f"fontinfo: {info[0]} became {info[1]}")
+    for key in ("openTypeNameLicense", "openTypeOS2WinAscent", "copyright"):
+        expect(key in info[0], f"import takes {key}")
 
 
 def check_components(design, folder):
@@ -272,6 +330,7 @@ def main():
         check_roundtrip(design, folder)
         check_projects(design, folder)
         check_names(design, folder)
+        check_additions(design, folder)
         check_components(design, folder)
         check_scripts(design, folder)
         check_pictures(design, folder)

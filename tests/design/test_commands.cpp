@@ -111,6 +111,42 @@ TEST_F(Commands, RenameReferencesToo) {
   EXPECT_EQ(project_.glyph("b")->components[0].base, "c");
 }
 
+// Strokes that no longer give the contours are not kept.
+TEST_F(Commands, DropASourceThatDisagrees) {
+  run(R"({"do": "set_strokes", "glyph": "a", "strokes": [
+      {"nib": "ellipse:80,80,0", "points": [[0, 0], [300, 0]]}]})");
+  const auto has_source = [this] {
+    return project_.glyph("a")->lib.contains("org.inkcell.strokes");
+  };
+  run(R"({"do": "set_advance", "glyph": "a", "width": 300})");
+  EXPECT_TRUE(has_source());
+  run(R"({"do": "move_points", "glyph": "a", "points": [[0, 0]], "dx": 9})");
+  EXPECT_FALSE(has_source());
+}
+
+TEST_F(Commands, RenameInKerningGroupsOrderAndTrees) {
+  run(R"({"do": "add_glyph", "glyph": "b"})");
+  run(R"({"do": "set_glyph_lib", "glyph": "b", "key": "org.inkcell.tree",
+          "value": {"op": "union", "parts": [{"glyph": "a"},
+                                             {"glyph": "a"}]}})");
+  run(R"({"do": "set_group", "group": "public.kern1.a", "value": ["a", "b"]})");
+  run(R"({"do": "set_kerning", "left": "a", "right": "a", "value": -9})");
+  run(R"({"do": "set_lib", "key": "public.glyphOrder", "value": ["b", "a"]})");
+  const Project before = project_;
+  const Change change =
+      change_of(project_, Value::parse(R"({"do": "rename_glyph", "glyph": "a",
+                                 "to": "c"})"));
+  project_.apply(change);
+  EXPECT_EQ(project_.font->groups["public.kern1.a"], Value({"c", "b"}));
+  EXPECT_EQ(project_.font->kerning, Value::parse(R"({"c": {"c": -9}})"));
+  EXPECT_EQ(glyph_order(project_), (std::vector<std::string>{"b", "c"}));
+  EXPECT_EQ(project_.glyph("b")->lib["org.inkcell.tree"]["parts"][1]["glyph"],
+            "c");
+  project_.revert(change);
+  EXPECT_EQ(*project_.font, *before.font);
+  EXPECT_EQ(*project_.glyph("b"), *before.glyph("b"));
+}
+
 TEST_F(Commands, DecomposeTurnsReflectedContoursOver) {
   add_square();
   run(R"({"do": "add_glyph", "glyph": "b"})");

@@ -23,7 +23,7 @@ class Csg : public testing::Test {
         "points": [[0,0],[300,0],[300,300],[0,300]]})"));
     run({{"do", "add_glyph"}, {"glyph", "disc"}});
     run(Value::parse(R"({"do": "set_strokes", "glyph": "disc", "strokes":
-        [{"nib": "ellipse:300", "points": [[0,0]]}]})"));
+        [{"nib": "ellipse:300", "points": [[0,0]]}], "grid": 0})"));
     run({{"do", "add_glyph"}, {"glyph", "out"}});
   }
 

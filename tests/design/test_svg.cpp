@@ -49,8 +49,10 @@ TEST(Svg, WhatIsWrittenIsRead) {
   const gen::Outline before = outline_of(project, *project.glyph("a"));
   const TemporaryFolder folder;
   write_text(folder.path() / "a.svg", svg_document(before, "a"));
+  OutlineUse use;
+  use.grid = 0;
   const gen::Outline read = read_svg(folder.path() / "a.svg", DrawingPlace());
-  for (const Value& command : commands_for_outline(project, "b", read)) {
+  for (const Value& command : commands_for_outline(project, "b", read, use)) {
     project.apply(change_of(project, command));
   }
   const GlyphPointer glyph = project.glyph("b");

@@ -1,5 +1,6 @@
 // Commands on the sources of outlines: strokes and trees of shapes. The source
 // is stored in the glyph's lib, its outline in the contours.
+#include "component/contour_csg.hpp"
 #include "component/csg.hpp"
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
@@ -10,17 +11,19 @@
 namespace inkcell::design {
 namespace {
 
-constexpr const char* kStrokesKey = "org.inkcell.strokes";
-constexpr const char* kTreeKey = "org.inkcell.tree";
-
 // The tolerance of curves against the exact border, and of a stroke's path
 // against its points. [u]
 constexpr double kFit_u = 0.12;
 constexpr double kPathFit_u = 0.5;
 
-std::vector<PointContour> fitted(
-    const Project& project, const std::vector<std::vector<Point>>& polygons) {
-  return contours_of(project, fit_polygons(polygons, kFit_u));
+std::vector<PointContour> fitted(const Project& project,
+                                 const Arguments& arguments,
+                                 const Glyph& glyph,
+                                 const gen::Shape& shape) {
+  return in_direction_of(
+      project, glyph,
+      contours_of(project, fit_polygons(polygons_of(shape), kFit_u),
+                  arguments.number("grid", 1)));
 }
 
 StrokePoint point_of(const Value& value,
@@ -67,20 +70,50 @@ Change set_strokes(const Project& project, const Arguments& arguments) {
     }
   }
   const gen::Shape shape(outline_of_polygons(polygons));
-  return edited(project, arguments, [&](Glyph& glyph) {
-    glyph.contours = fitted(project, polygons_of(shape));
-    glyph.lib[kStrokesKey] = arguments.value("strokes");
-    glyph.lib.erase(kTreeKey);
-  });
+  return edited(
+      project, arguments,
+      [&](Glyph& glyph) {
+        glyph.contours = fitted(project, arguments, glyph, shape);
+        glyph.lib[kStrokesKey] = arguments.value("strokes");
+        glyph.lib.erase(kTreeKey);
+      },
+      true);
 }
 
 Change set_tree(const Project& project, const Arguments& arguments) {
   const gen::Shape shape = shape_of_tree(project, layer_of(project, arguments),
                                          arguments.value("tree"));
+  return edited(
+      project, arguments,
+      [&](Glyph& glyph) {
+        glyph.contours = fitted(project, arguments, glyph, shape);
+        glyph.lib[kTreeKey] = arguments.value("tree");
+        glyph.lib.erase(kStrokesKey);
+      },
+      true);
+}
+
+// The area of some contours with that of the others.
+Change combine_contours(const Project& project, const Arguments& arguments) {
+  const std::string op = arguments.text("op");
   return edited(project, arguments, [&](Glyph& glyph) {
-    glyph.contours = fitted(project, polygons_of(shape));
-    glyph.lib[kTreeKey] = arguments.value("tree");
-    glyph.lib.erase(kStrokesKey);
+    std::vector<bool> is_named(glyph.contours.size());
+    for (const Value& index : arguments.array("contours")) {
+      if (!index.is_number_unsigned() ||
+          index.get<size_t>() >= glyph.contours.size()) {
+        arguments.refuse("\"contours\" are numbers below " +
+                         std::to_string(glyph.contours.size()) +
+                         ", the glyph's contours; " + index.dump() +
+                         " is none");
+      }
+      is_named[index.get<size_t>()] = true;
+    }
+    std::vector<PointContour> parts[2];
+    for (size_t i = 0; i < glyph.contours.size(); ++i) {
+      parts[is_named[i] ? 1 : 0].push_back(glyph.contours[i]);
+    }
+    glyph.contours =
+        in_direction_of(project, glyph, combined(parts[0], parts[1], op));
   });
 }
 
@@ -88,6 +121,7 @@ Change set_tree(const Project& project, const Arguments& arguments) {
 
 void add_source_commands(CommandTable& table) {
   table["set_strokes"] = set_strokes;
+  table["combine_contours"] = combine_contours;
   table["set_tree"] = set_tree;
 }
 

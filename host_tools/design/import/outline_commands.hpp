@@ -1,6 +1,7 @@
 // Imports outlines as the contours of a glyph.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,19 @@
 
 namespace inkcell::design {
 
-/// The commands that set the contours of the default layer's glyph to `outline`
-/// [u]: set_contours, after add_glyph if there is no such glyph. The advance of
-/// a new glyph makes both side bearings equal. Coordinates are rounded to 1/64
-/// font unit.
+/// The treatment of an outline.
+struct OutlineUse {
+  bool replaces = false;            // the glyph's contours; else it is added
+  double grid = 1;                  // of coordinates [font units]; 0: none
+  std::optional<char32_t> unicode;  // of a new glyph [what its name says]
+};
+
+/// The commands that give the default layer's glyph the contours of `outline`
+/// [u], in the direction of its others: set_contours, after add_glyph if there
+/// is no such glyph. The advance of a new glyph makes both side bearings equal.
 std::vector<Value> commands_for_outline(const Project& project,
                                         const std::string& glyph,
-                                        const gen::Outline& outline);
+                                        const gen::Outline& outline,
+                                        const OutlineUse& use);
 
 }  // namespace inkcell::design

@@ -28,11 +28,17 @@ size_t layer_of(const Project& project, const Arguments& arguments);
 /// glyphs.
 void drop_unnamed_images(const Project& project, Change& change);
 
-/// The change made by `edit` on a copy of the glyph named by "glyph".
+/// Keys of a glyph's lib: the source of its outline.
+inline constexpr const char* kStrokesKey = "org.inkcell.strokes";
+inline constexpr const char* kTreeKey = "org.inkcell.tree";
+
+/// The change made by `edit` on a copy of the glyph named by "glyph". A source
+/// that no longer agrees with the contours goes, unless `edit` sets it.
 template <typename Edit>
 Change edited(const Project& project,
               const Arguments& arguments,
-              const Edit& edit) {
+              const Edit& edit,
+              bool sets_source = false) {
   GlyphChange change;
   change.layer = layer_of(project, arguments);
   change.name = arguments.text("glyph");
@@ -42,6 +48,10 @@ Change edited(const Project& project,
   }
   Glyph glyph = *change.before;
   edit(glyph);
+  if (!sets_source && !(glyph.contours == change.before->contours)) {
+    glyph.lib.erase(kStrokesKey);
+    glyph.lib.erase(kTreeKey);
+  }
   change.after = std::make_shared<const Glyph>(std::move(glyph));
   Change result;
   result.glyphs.push_back(std::move(change));

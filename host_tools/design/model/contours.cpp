@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "model/error.hpp"
+#include "outlines/curves.hpp"
 #include "shape/outline.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::design {
 namespace {
-
-// Computed coordinates of outlines are rounded to this. [font units]
-constexpr double kGrid = 1.0 / 64;
 
 // The deepest nesting of references, more than fonts have.
 constexpr int kMostDepth = 16;
@@ -122,6 +120,52 @@ void append_within(const Project& project,
     contours.push_back(use.matrix.determinant() < 0 ? reversed(contour)
                                                     : contour);
   }
+}
+
+// Leaves out on-curve points in the middle of off-curve points of quadratics,
+// but for one.
+void drop_implied(PointContour& contour) {
+  std::vector<GlyphPoint>& points = contour.points;
+  const auto type_after = [&points](size_t i) {
+    do {
+      i = (i + 1) % points.size();
+    } while (!points[i].on_curve());
+    return points[i].type;
+  };
+  auto left = std::count_if(points.begin(), points.end(),
+                            [](const GlyphPoint& p) { return p.on_curve(); });
+  for (size_t i = points.size(); i-- > 0 && left > 1;) {
+    const size_t count = points.size();
+    const GlyphPoint& before = points[(i + count - 1) % count];
+    const GlyphPoint& after = points[(i + 1) % count];
+    if (points[i].type == PointType::qcurve && !before.on_curve() &&
+        !after.on_curve() && type_after(i) == PointType::qcurve &&
+        points[i].x == (before.x + after.x) / 2 &&
+        points[i].y == (before.y + after.y) / 2) {
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+      --left;
+    }
+  }
+}
+
+// twice_area() of the largest contour of the glyph and its components; 0
+// without contours.
+double largest_area(const Project& project, const Glyph& glyph) {
+  double largest = 0;
+  const auto add = [&largest](const Glyph& part, double scale) {
+    for (const PointContour& contour : part.contours) {
+      const double area = scale * twice_area(contour);
+      largest = std::abs(area) > std::abs(largest) ? area : largest;
+    }
+  };
+  add(glyph, 1);
+  for (const ComponentUse& use : glyph.components) {
+    const GlyphPointer base = project.find(use.base);
+    if (base != nullptr) {
+      add(*base, std::abs(use.matrix.determinant()));
+    }
+  }
+  return largest;
 }
 
 }  // namespace
@@ -286,22 +330,55 @@ PointContour from_segments(const gen::Contour& contour, double scale) {
     out.points.push_back({segment.p[last].x / scale, segment.p[last].y / scale,
                           type, joins_smoothly(segment, next), "", ""});
   }
+  drop_implied(out);
   return out;
 }
 
 std::vector<PointContour> contours_of(const Project& project,
-                                      const gen::Outline& outline) {
+                                      const gen::Outline& outline,
+                                      double grid) {
+  const auto rounded = [grid](double value) {
+    return grid > 0 ? std::round(value / grid) * grid : value;
+  };
   std::vector<PointContour> contours;
   for (const gen::Contour& contour : outline.contours) {
     PointContour points =
         from_segments(contour, gen::kUPerEm / project.units_per_em());
     for (GlyphPoint& point : points.points) {
-      point.x = std::round(point.x / kGrid) * kGrid;
-      point.y = std::round(point.y / kGrid) * kGrid;
+      point.x = rounded(point.x);
+      point.y = rounded(point.y);
     }
     contours.push_back(std::move(points));
   }
   return contours;
+}
+
+bool is_clockwise(const Project& project, const Glyph& glyph) {
+  double area = largest_area(project, glyph);
+  for (auto other = project.front().glyphs.begin();
+       area == 0 && other != project.front().glyphs.end(); ++other) {
+    area = largest_area(project, *other->second);
+  }
+  return area < 0;
+}
+
+std::vector<PointContour> in_direction_of(const Project& project,
+                                          const Glyph& glyph,
+                                          std::vector<PointContour> contours) {
+  if (is_clockwise(project, glyph)) {
+    for (PointContour& contour : contours) {
+      contour = contour.open() ? contour : reversed(contour);
+    }
+  }
+  return contours;
+}
+
+double twice_area(const PointContour& contour) {
+  double area = 0;
+  for (const gen::Segment& segment : to_segments(contour, 1).segments) {
+    area += gen::twice_area(segment);
+  }
+  return area;
 }
 
 bool reaches(const Project& project,

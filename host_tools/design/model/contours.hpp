@@ -30,12 +30,28 @@ PointContour reversed(const PointContour& contour);
 gen::Contour to_segments(const PointContour& contour, double scale);
 
 /// The contour of these segments, divided by `scale`, not rounded. On-curve
-/// points are smooth where the direction turns by less than a degree.
+/// points are smooth where the direction turns by less than a degree; those
+/// that quadratics imply are left out.
 PointContour from_segments(const gen::Contour& contour, double scale);
 
-/// All contours of an outline [u] in font units, rounded to 1/64.
+/// All contours of an outline [u] in font units, rounded to multiples of
+/// `grid`; 0: not rounded.
 std::vector<PointContour> contours_of(const Project& project,
-                                      const gen::Outline& outline);
+                                      const gen::Outline& outline,
+                                      double grid = 1);
+
+/// Whether contours around ink are clockwise, as in TrueType: the largest of
+/// the glyph says, or that of another glyph if it has none.
+bool is_clockwise(const Project& project, const Glyph& glyph);
+
+/// Contours that are counter-clockwise around ink, in the direction of the
+/// glyph's.
+std::vector<PointContour> in_direction_of(const Project& project,
+                                          const Glyph& glyph,
+                                          std::vector<PointContour> contours);
+
+/// Twice the enclosed area, counter-clockwise. [font units^2]
+double twice_area(const PointContour& contour);
 
 /// Whether `from` is `target` or has it as a component, at any depth.
 bool reaches(const Project& project,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/command_table.hpp"
+#include "model/glyph_names.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -18,6 +19,20 @@ std::vector<char32_t> parse_unicodes(const Arguments& arguments) {
   return unicodes;
 }
 
+// The character that the name says, unless another glyph has it.
+std::vector<char32_t> usual_unicodes(const Layer& layer,
+                                     const std::string& name) {
+  const std::optional<char32_t> c = character_of_name(name);
+  const bool is_free =
+      c &&
+      std::none_of(
+          layer.glyphs.begin(), layer.glyphs.end(), [c](const auto& entry) {
+            const auto& codes = entry.second->unicodes;
+            return std::find(codes.begin(), codes.end(), *c) != codes.end();
+          });
+  return is_free ? std::vector<char32_t>{*c} : std::vector<char32_t>();
+}
+
 Change add_glyph(const Project& project, const Arguments& arguments) {
   GlyphChange change;
   change.layer = layer_of(project, arguments);
@@ -31,9 +46,10 @@ Change add_glyph(const Project& project, const Arguments& arguments) {
   Glyph glyph;
   glyph.name = change.name;
   glyph.width = arguments.number("width", 0);
-  if (arguments.has("unicodes")) {
-    glyph.unicodes = parse_unicodes(arguments);
-  }
+  glyph.unicodes =
+      arguments.has("unicodes")
+          ? parse_unicodes(arguments)
+          : usual_unicodes(project.layers[change.layer], change.name);
   change.after = std::make_shared<const Glyph>(std::move(glyph));
   return {{change}, nullptr, nullptr};
 }
@@ -54,6 +70,55 @@ Change delete_glyph(const Project& project, const Arguments& arguments) {
   return change;
 }
 
+// The font's data with another name in the place of a glyph's: in groups,
+// kerning and the order of glyphs.
+FontData renamed(FontData font,
+                 const std::string& from,
+                 const std::string& to) {
+  const auto rename_in = [&](Value& list) {
+    for (Value& name : list) {
+      name = name == from ? Value(to) : name;
+    }
+  };
+  const auto rename_key = [&](Value& table) {
+    if (table.is_object() && table.contains(from)) {
+      table[to] = table[from];
+      table.erase(from);
+    }
+  };
+  for (auto& [group, names] : font.groups.items()) {
+    rename_in(names);
+  }
+  rename_key(font.kerning);
+  for (auto& [left, row] : font.kerning.items()) {
+    rename_key(row);
+  }
+  const auto order = font.lib.find("public.glyphOrder");
+  if (order != font.lib.end() && order->is_array()) {
+    rename_in(*order);
+  }
+  return font;
+}
+
+// The names in a tree of shapes.
+void rename_in_tree(Value& node,
+                    const std::string& from,
+                    const std::string& to) {
+  if (node.is_object()) {
+    for (auto& [key, value] : node.items()) {
+      if (key == "glyph" && value == from) {
+        value = to;
+      } else {
+        rename_in_tree(value, from, to);
+      }
+    }
+  } else if (node.is_array()) {
+    for (Value& part : node) {
+      rename_in_tree(part, from, to);
+    }
+  }
+}
+
 Change rename_glyph(const Project& project, const Arguments& arguments) {
   const std::string to = arguments.text("to");
   Change change =
@@ -66,19 +131,22 @@ Change rename_glyph(const Project& project, const Arguments& arguments) {
   change.glyphs.push_back({layer, to, nullptr, change.glyphs[0].after});
   change.glyphs[0].after = nullptr;
   for (const auto& [name, glyph] : project.layers[layer].glyphs) {
-    const auto refers = [&from](const ComponentUse& use) {
-      return use.base == from;
-    };
-    if (name == from || std::none_of(glyph->components.begin(),
-                                     glyph->components.end(), refers)) {
-      continue;
-    }
     Glyph user = *glyph;
     for (ComponentUse& use : user.components) {
-      use.base = refers(use) ? to : use.base;
+      use.base = use.base == from ? to : use.base;
     }
-    change.glyphs.push_back(
-        {layer, name, glyph, std::make_shared<const Glyph>(std::move(user))});
+    if (user.lib.contains(kTreeKey)) {
+      rename_in_tree(user.lib[kTreeKey], from, to);
+    }
+    if (name != from && !(user == *glyph)) {
+      change.glyphs.push_back(
+          {layer, name, glyph, std::make_shared<const Glyph>(std::move(user))});
+    }
+  }
+  FontData font = renamed(*project.font, from, to);
+  if (layer == 0 && !(font == *project.font)) {
+    change.font_before = project.font;
+    change.font_after = std::make_shared<const FontData>(std::move(font));
   }
   return change;
 }

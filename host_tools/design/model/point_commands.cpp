@@ -5,6 +5,7 @@
 
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -127,6 +128,40 @@ Change round_points(const Project& project, const Arguments& arguments) {
   });
 }
 
+gen::Segment cubic_of(const gen::Segment& segment) {
+  if (segment.kind != gen::Segment::Kind::quadratic) {
+    return segment;
+  }
+  const gen::Point* p = segment.p;
+  const gen::Point control = 2.0 / 3 * p[1];
+  return {gen::Segment::Kind::cubic,
+          {p[0], control + 1.0 / 3 * p[0], control + 1.0 / 3 * p[2], p[2]}};
+}
+
+Change to_cubics(const Project& project, const Arguments& arguments) {
+  return edited(project, arguments, [](Glyph& glyph) {
+    for (PointContour& contour : glyph.contours) {
+      const bool has_quadratics = std::any_of(
+          contour.points.begin(), contour.points.end(),
+          [](const auto& point) { return point.type == PointType::qcurve; });
+      const bool is_off_curve = std::none_of(
+          contour.points.begin(), contour.points.end(),
+          [](const GlyphPoint& point) { return point.on_curve(); });
+      gen::Contour curves = to_segments(contour, 1);
+      if (!(has_quadratics || is_off_curve) || curves.segments.empty()) {
+        continue;
+      }
+      std::transform(curves.segments.begin(), curves.segments.end(),
+                     curves.segments.begin(), cubic_of);
+      contour.points = from_segments(curves, 1).points;
+      for (GlyphPoint& point : contour.points) {
+        point.x = std::round(point.x);
+        point.y = std::round(point.y);
+      }
+    }
+  });
+}
+
 }  // namespace
 
 void add_point_commands(CommandTable& table) {
@@ -136,6 +171,7 @@ void add_point_commands(CommandTable& table) {
   table["round_points"] = round_points;
   table["set_point"] = set_point;
   table["set_start"] = set_start;
+  table["to_cubics"] = to_cubics;
 }
 
 }  // namespace inkcell::design

@@ -19,7 +19,7 @@ struct StrokeArguments {
   double fit = 0.12;
 };
 
-void run(const StrokeArguments& arguments) {
+void run(StrokeArguments& arguments) {
   check(arguments.destination);
   std::vector<std::vector<Point>> polygons;
   for (const Stroke& stroke :
