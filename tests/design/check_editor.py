@@ -3,7 +3,9 @@
 Usage: check_editor.py INKCELL_EDITOR INKCELL_RENDER
 """
 import json
+import math
 import pathlib
+import plistlib
 import shutil
 import struct
 import subprocess
@@ -12,6 +14,7 @@ import tempfile
 import zlib
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
 PLIST = '<plist version="1.0">{}</plist>'
 PROBLEMS = []
 
@@ -130,6 +133,140 @@ def check_tools(editor):
                        "try release 90 90", "glyph a", "try glyph x", "print")
     expect(gone["glyph"] == "a" and "'x'" in gone["message"],
            f"a glyph that goes during a drag: {gone['message']}")
+
+
+def ink(editor, lines, name="ink"):
+    """The dark bytes of the preview after lines of a script."""
+    editor.run(*lines, f"save_preview {name}.ppm")
+    _, data = pixels(editor.folder / f"{name}.ppm")
+    return sum(value < 128 for value in data)
+
+
+def check_overlaps(editor):
+    """Ink on ink is ink, on the canvas, in the preview and in fonts."""
+    opened = [f"open {LATO} L.ufo l,o,A", "glyph l", "text l",
+              "preview 32 grey8 light", "sizes 32"]
+    editor.run(*opened)
+    opened[0] = "open L.ufo"
+    before = ink(editor, opened)
+    over = ("tool Rectangle", "press 100 300", "move 400 700",
+            "release 400 700")
+    drawn, = editor.run(*opened, *over, "screenshot over.ppm", "print",
+                        "action Unite", "screenshot united.ppm", "export L.ttf")
+    expect(len(drawn["contours"]) == 2, f"drawn: {drawn['contours']}")
+    expect(ink(editor, opened) > before, "a rectangle over l takes ink away")
+    (width, _), data = pixels(editor.folder / "over.ppm")
+    view = drawn["view"]
+    at = (round(284 + view["width"] / 2 + (230 - view["x"]) * view["scale"]),
+          round(23 + view["height"] / 2 - (500 - view["y"]) * view["scale"]))
+    place = 3 * (width * at[1] + at[0])
+    paper = bytes((255, 255, 255))
+    expect(data[place:place + 3] != paper,
+           "the canvas shows a hole where two contours overlap")
+    again = ink(editor, ["open L.ttf L2.ufo", *opened[2:]])
+    expect(again > before, "an exported font has a hole")
+    pen, = editor.run("open L.ufo", "glyph l", "key ctrl+a", "tool Pen",
+                      "press 0 300", "release 0 300", "press 900 300",
+                      "release 900 300", "press 900 700", "release 900 700",
+                      "press 0 700", "release 0 700", "press 0 300",
+                      "release 0 300", "print")
+    expect(area(pen["contours"][-1]) < 0 and area(pen["contours"][0]) < 0,
+           f"the pen's direction: {pen['contours'][-1]}")
+    united, cut, common, rest = editor.run(
+        "open L.ufo", "glyph A", "tool Rectangle", "press 100 -100",
+        "move 1300 200", "release 1300 200", "action Unite", "print",
+        "key ctrl+z", "select 23", "action Subtract", "print", "key ctrl+z",
+        "select 23", "action Intersect", "print", "key ctrl+z", "select 23",
+        "action Exclude", "print")
+    expect([len(report["contours"]) for report in (united, cut, common)] ==
+           [3, 3, 2], "Unite, Subtract, Intersect")
+    sums = [sum(map(area, report["contours"]))
+            for report in (united, common, rest)]
+    expect(abs(sums[0] - sums[1] - sums[2]) < 2000,
+           f"Unite is Intersect and Exclude: {sums}")
+    expect(all(value == int(value) for report in (united, cut, common, rest)
+               for point in points_of(report) for value in point[:2]),
+           "combined contours have whole units")
+    failed = editor.start("open L.ufo", "glyph A", "action Subtract")
+    expect("select some of the contours" in failed.stderr, failed.stderr)
+
+
+def area(contour):
+    """Of the polygon of all points; the sign is that of the curves."""
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in
+               zip(contour, contour[1:] + contour[:1])) / 2
+
+
+def turn(contour, i):
+    """The degrees by which the direction changes at a point."""
+    a, b, c = (contour[(i + k) % len(contour)] for k in (-1, 0, 1))
+    into, out = (math.atan2(q[1] - p[1], q[0] - p[0])
+                 for p, q in ((a, b), (b, c)))
+    return abs(math.degrees((out - into + math.pi) % (2 * math.pi) - math.pi))
+
+
+def check_smooth_points(editor):
+    """A dragged smooth point of a TrueType glyph makes no spike, neither there
+    nor at its neighbours."""
+    before, = editor.run(f"open {FONT} S.ufo a,o,S", "glyph S", "print")
+    contour = points_of(before)
+    smooth = [i for i, point in enumerate(contour) if "smooth" in point]
+    expect(len(smooth) > 5, "S has smooth points")
+    kept = [i for i in smooth if contour[i - 1][2] == "offcurve" and
+            contour[(i + 1) % len(contour)][2] == "offcurve"]
+    for i in kept[::2]:
+        moved, = editor.run("open S.ufo", "glyph S", f"drag {i} 40 25",
+                            "print", "key ctrl+z")
+        turns = [turn(points_of(moved), k) for k in kept]
+        expect(max(turns) < 3, f"dragging point {i} of S turns the outline by "
+               f"{max(turns):.0f} degrees")
+    controls = [i for i, point in enumerate(contour) if point[2] == "offcurve"]
+    for i in controls[::5]:
+        moved, = editor.run("open S.ufo", "glyph S", f"drag {i} 30 -20",
+                            "print", "key ctrl+z")
+        expect(max(turn(points_of(moved), k) for k in kept) < 3,
+               f"dragging handle {i} of S makes a corner")
+    cubic, = editor.run("open S.ufo", "glyph S", "action Convert to cubics",
+                        "print")
+    expect({point[2] for point in points_of(cubic)} <=
+           {"line", "curve", "offcurve"}, "S is made of cubics")
+
+
+def check_new_font(editor):
+    """From nothing to a font: glyphs, names, characters, other projects."""
+    made, added, named, again, old, gone = editor.run(
+        "new New.ufo A-C,U+20 Mine 1000 750 -250 500 700", "print",
+        "add D,E", "add _stem", "print", "glyph D", "tool Rectangle",
+        "press 100 0", "move 200 700", "release 200 700",
+        'do {"do": "rename_glyph", "to": "Delta"}',
+        'do {"do": "set_unicodes", "unicodes": [8710]}', "print", "save",
+        "tool Rectangle", "press 300 0", "move 400 700", "release 400 700",
+        "save_as Other.ufo", "print", "open New.ufo", "glyph Delta", "print",
+        "open Other.ufo", "glyph Delta", "action Delete glyph", "print",
+        "export New.ttf")
+    expect(made["glyph"] == "A" and made["width"] == 600 and
+           "4 glyphs" in made["message"], f"a new font: {made['message']}")
+    expect(added["glyph"] == "A", "adding glyphs shows no other one")
+    expect(named["glyph"] == "Delta", f"renamed: {named['glyph']}")
+    expect("Saved as Other.ufo" in again["message"] and
+           len(again["contours"]) == 2, f"saved as: {again['message']}")
+    expect(len(old["contours"]) == 1, "the old project has not changed")
+    expect(gone["glyph"] == "E" and "'Delta'" in gone["message"],
+           f"after a deletion: {gone['message']}")
+    names = plistlib.loads((editor.folder / "New.ufo/lib.plist").read_bytes())
+    expect(names["public.glyphOrder"] == ["space", "A", "B", "C", "Delta", "E",
+                                          "_stem"], f"order: {names}")
+    reverted, = editor.run("open Other.ufo", "action Revert", "glyph Delta",
+                           "print")
+    expect(len(reverted["contours"]) == 2, "Revert drops what is not saved")
+    for line, message in (
+            ("new New.ufo A Mine 1000 750 -250 500 700", "exists"),
+            ("new X.ufo A Mine 8 750 -250 500 700", "16 to 16384"),
+            ("new X.ufo A Mine 1000 7 70 500 700", "above the descender"),
+            ("new X A Mine 1000 750 -250 500 700", "ends with .ufo")):
+        result = editor.start(line)
+        expect(result.returncode == 1 and message in result.stderr,
+               f"{line}: said {result.stderr!r}")
 
 
 def check_clipboard(editor):
@@ -331,6 +468,9 @@ def main():
         check_edits(editor)
         check_points(editor)
         check_tools(editor)
+        check_new_font(editor)
+        check_overlaps(editor)
+        check_smooth_points(editor)
         check_clipboard(editor)
         check_levels(editor)
         check_latency(editor)

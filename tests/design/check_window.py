@@ -178,6 +178,40 @@ class WindowTest(unittest.TestCase):
         self.display.send("key", "ctrl+q")
         self.assertEqual(window.process.wait(timeout=20), 0)
 
+    def test_new_font_is_made_and_quitting_asks(self):
+        steps = Session([])
+        steps.opening = ["new Mine.ufo 0x20-0x7E Untitled 1000 800 -200 500 "
+                         "700", "screenshot 0.ppm"]
+        with tempfile.TemporaryDirectory() as folder:
+            report, = run_script(folder, *steps.opening, "print")
+        steps.key("rectangle tool", "r", "r")
+        steps.drag("box", report, [(100, 0), (180, 300), (200, 700)])
+        steps.run_script(self.scripted)
+        window = self.start()
+        send = self.display.send
+        send("key", "ctrl+n")
+        wait(lambda: SELECTED_TEXT in self.display.pixels(),
+             "the name that New font proposes is not selected")
+        send("type", "Mine.ufo")
+        send("key", "Return")
+        window.wait_for(picture(self.scripted / "0.ppm"), "a new font")
+        for i, (name, _, events) in enumerate(steps.steps):
+            for event in events:
+                send(*event)
+            shown = picture(self.scripted / f"{i + 1}.ppm")
+            window.wait_for(shown, name)
+        send("key", "ctrl+q")
+        wait(lambda: self.display.pixels() != shown, "quitting does not ask")
+        send("key", "Escape")
+        window.wait_for(shown, "back from the question")
+        self.assertIsNone(window.process.poll())
+        send("key", "ctrl+s")
+        wait(lambda: "<contour>" in
+             (self.live / "Mine.ufo/glyphs/exclam.glif").read_text(),
+             "the drawing was not saved")
+        send("key", "ctrl+q")
+        self.assertEqual(window.process.wait(timeout=20), 0)
+
     def test_killed_window_loses_nothing(self):
         letter, _ = self.reports()
         steps = Session(["print"])

@@ -21,7 +21,9 @@ PICTURE = ("iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAAAAADRSSBWAAAAC0lEQVR4nGNg"
            "OAEAAMsAyWnIw2wAAAAASUVORK5CYII=")
 KEYS = ("escape delete s ctrl+a ctrl+x ctrl+c ctrl+v ctrl+d ctrl+z ctrl+y "
         "ctrl+s ctrl+shift+a g shift+g pagedown pageup 0 = - d c shift+l left "
-        "shift+up ctrl+right v p e r o b l").split()
+        "shift+up ctrl+right v p e r o b l ctrl+u").split()
+ACTIONS = ("Unite", "Subtract", "Intersect", "Exclude", "Convert to cubics",
+           "Reverse contours", "Revert")
 TOOLS = "Select Pen Knife Rectangle Ellipse Stroke Measure".split()
 COMMANDS = (
     {"do": "add_component", "base": "A"}, {"do": "add_component", "base": "O"},
@@ -77,6 +79,8 @@ class Script:
             yield f"key {self.random.choice(KEYS)}"
         elif pick < 0.82:
             yield f"tool {self.random.choice(TOOLS)}"
+        elif pick < 0.84:
+            yield f"action {self.random.choice(ACTIONS)}"
         elif pick < 0.9:
             yield f"do {json.dumps(self.random.choice(COMMANDS))}"
         elif pick < 0.95:

@@ -1,11 +1,12 @@
 #include "editor/actions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 #include "editor/clipboard.hpp"
 #include "editor/edits.hpp"
+#include "model/error.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -44,6 +45,18 @@ void delete_selection(Editor& editor) {
   const Selection selection = editor.selection;
   editor.selection.clear();
   run_unless_null(editor, delete_points(*editor.glyph(), selection));
+}
+
+void delete_glyph(Editor& editor) {
+  const std::string name = editor.glyph_name();
+  const std::vector<std::string> order = glyph_order(editor.project());
+  const auto at = std::find(order.begin(), order.end(), name);
+  if (order.size() < 2) {
+    throw Error("'" + name + "' is the only glyph of the font");
+  }
+  editor.run({{"do", "delete_glyph"}});
+  editor.show(at + 1 == order.end() ? *(at - 1) : *(at + 1));
+  editor.message = {"Deleted the glyph '" + name + "'"};
 }
 
 void select_all(Editor& editor) {
@@ -110,6 +123,28 @@ void reverse_selected(Editor& editor) {
   }
 }
 
+// Combines the selected contours with the others.
+void combine(Editor& editor, const char* operation) {
+  Value contours = Value::array();
+  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
+    const auto first = editor.selection.lower_bound({c, 0});
+    if (first != editor.selection.end() && first->contour == c) {
+      contours.push_back(c);
+    }
+  }
+  const size_t all = editor.glyph()->contours.size();
+  if (std::string(operation) != "union" &&
+      (contours.empty() || contours.size() == all)) {
+    throw Error("select some of the contours; they are combined with the rest");
+  }
+  editor.selection.clear();
+  editor.run({{"do", "combine_contours"},
+              {"op", operation},
+              {"contours", std::move(contours)}});
+  editor.message = {std::to_string(all) + " contours became " +
+                    std::to_string(editor.glyph()->contours.size())};
+}
+
 void zoom(Editor& editor, double factor) {
   View& view = editor.view;
   view.zoom(factor, {view.width / 2, view.height / 2});
@@ -145,6 +180,14 @@ std::vector<Action> make_list() {
        [](Editor& e) {
          e.run({{"do", "round_points"}});
        }},
+      {"Unite", "ctrl+u", [](Editor& e) { combine(e, "union"); }},
+      {"Subtract", "", [](Editor& e) { combine(e, "difference"); }},
+      {"Intersect", "", [](Editor& e) { combine(e, "intersection"); }},
+      {"Exclude", "", [](Editor& e) { combine(e, "exclusion"); }},
+      {"Convert to cubics", "",
+       [](Editor& e) {
+         e.run({{"do", "to_cubics"}});
+       }},
       {"Decompose", "",
        [](Editor& e) {
          e.run({{"do", "decompose"}});
@@ -155,6 +198,8 @@ std::vector<Action> make_list() {
            e.run({{"do", "set_image"}});
          }
        }},
+      {"Delete glyph", "", delete_glyph},
+      {"Revert", "", [](Editor& e) { e.revert(); }},
       {"Next glyph", "pagedown", [](Editor& e) { e.step(1); }},
       {"Previous glyph", "pageup", [](Editor& e) { e.step(-1); }},
       {"Fit glyph", "0 ctrl+0", [](Editor& e) { e.fit_view(); }},
@@ -207,7 +252,7 @@ const Action& action(const std::string& name) {
       return action;
     }
   }
-  throw std::logic_error("no action is called " + name);
+  throw Error("action '" + name + "' is not known; the menus name them");
 }
 
 bool press_key(Editor& editor, const std::string& key) {

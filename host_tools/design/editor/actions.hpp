@@ -18,7 +18,7 @@ struct Action {
 /// All actions, including tools and nudges.
 const std::vector<Action>& action_list();
 
-/// An action of a menu, which must exist.
+/// An action of a menu. Throws Error if there is none of this name.
 const Action& action(const std::string& name);
 
 /// Runs the action of a key: lower case, prefixed by ctrl+ and shift+ in this

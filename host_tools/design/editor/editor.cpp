@@ -5,9 +5,11 @@
 #include <cstdio>
 
 #include "app/output.hpp"
+#include "editor/glyph_set.hpp"
 #include "export/rom.hpp"
 #include "export/ttf.hpp"
 #include "import/font_import.hpp"
+#include "model/command_table.hpp"
 #include "model/commands.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
@@ -32,24 +34,33 @@ bool needs_glyph(const Value& command) {
   return name != "batch" && !command.contains("glyph") &&
          name.find("info") == std::string::npos &&
          name.find("kerning") == std::string::npos &&
-         name.find("group") == std::string::npos;
+         name.find("group") == std::string::npos && name != "set_lib";
 }
 
-// Fills the glyph's name into a command and its parts.
-void fill_glyph(const std::string& glyph, Value& command) {
-  if (needs_glyph(command)) {
-    command["glyph"] = glyph;
+bool has_source(const Glyph& glyph) {
+  return glyph.lib.contains(kStrokesKey) || glyph.lib.contains(kTreeKey);
+}
+
+void check_new(const fs::path& folder) {
+  if (folder.extension() != ".ufo") {
+    throw Error("'" + folder.string() +
+                "': the name of a project ends with "
+                ".ufo");
   }
-  if (command.contains("commands")) {
-    for (Value& part : command["commands"]) {
-      fill_glyph(glyph, part);
-    }
+  if (fs::exists(folder)) {
+    throw Error(folder.string() + ": exists; choose another name");
   }
 }
 
-void import_project(const fs::path& font,
-                    const fs::path& folder,
-                    const std::vector<std::string>& chars) {
+bool order_starts_with_space(const Project& project) {
+  const std::vector<std::string> order = glyph_order(project);
+  return order.size() > 1 && order.front() == "space";
+}
+
+// Returns what was done, for the user.
+std::string import_project(const fs::path& font,
+                           const fs::path& folder,
+                           const std::vector<std::string>& chars) {
   if (fs::exists(folder)) {
     throw Error(folder.string() +
                 ": exists; open it, or name another project for " +
@@ -63,9 +74,30 @@ void import_project(const fs::path& font,
   const Project project = import_font(font, characters, warnings);
   UfoFiles files;
   write_ufo(project, folder, files);
+  std::string text = "Imported " +
+                     std::to_string(project.front().glyphs.size()) +
+                     " glyphs of " + font.filename().string();
+  const std::string left_out = tables_left_out(font);
+  text += left_out.empty() ? "" : "; tables left out: " + left_out;
+  for (const gen::Warning& warning : warnings) {
+    text += "; " + warning.text;
+  }
+  return text;
 }
 
 }  // namespace
+
+Value for_glyph(const std::string& glyph, Value command) {
+  if (needs_glyph(command)) {
+    command["glyph"] = glyph;
+  }
+  if (command.contains("commands")) {
+    for (Value& part : command["commands"]) {
+      part = for_glyph(glyph, part);
+    }
+  }
+  return command;
+}
 
 void View::zoom(double factor, Point at) {
   const Point fixed = to_font(at);
@@ -104,8 +136,9 @@ void Editor::open(const fs::path& file,
   if (project.empty()) {
     project = given.filename().replace_extension(".ufo");
   }
-  import_project(given, project, chars);
+  const std::string text = import_project(given, project, chars);
   begin(project);
+  message = {text};
 }
 
 void Editor::begin(const fs::path& folder) {
@@ -130,24 +163,76 @@ void Editor::begin(const fs::path& folder) {
   }
 }
 
+void Editor::create(const fs::path& folder,
+                    const Value& info,
+                    const std::string& glyphs) {
+  check_new(folder);
+  const double em = info.value("unitsPerEm", 0.0);
+  if (!(em >= 16 && em <= 16384 && em == std::floor(em))) {
+    throw Error("an em has 16 to 16384 whole units");
+  }
+  if (!(info.value("ascender", 0.0) > info.value("descender", 0.0))) {
+    throw Error("the ascender must be above the descender, which is below 0");
+  }
+  Project project;
+  FontData font;
+  font.info = info;
+  project.font = std::make_shared<const FontData>(std::move(font));
+  project.apply(change_of(project, add_glyphs(project, glyphs)));
+  UfoFiles files;
+  write_ufo(project, folder, files);
+  begin(folder);
+  step(order_starts_with_space(this->project()) ? 1 : 0);
+  message = {"New font " + folder.filename().string() + " of " +
+             std::to_string(project.front().glyphs.size()) + " glyphs"};
+}
+
+void Editor::save_as(const fs::path& folder) {
+  check_new(folder);
+  const std::string shown = glyph_;
+  const std::string old = session_->files().folder.filename().string();
+  UfoFiles files = session_->files();
+  write_ufo(project(), folder, files);
+  session_->close();
+  begin(folder);
+  show(shown);
+  message = {"Saved as " + folder.filename().string() + "; " + old +
+             " is as it was saved last"};
+}
+
+void Editor::revert() {
+  const fs::path folder = session_->files().folder;
+  const std::string shown = glyph_;
+  tool_->cancel(*this);
+  session_->close();
+  begin(folder);
+  if (project().find(shown) != nullptr) {
+    show(shown);
+  }
+  message = {folder.filename().string() + " is as it was saved last"};
+}
+
 void Editor::save() {
   session_->save();
   message = {"Saved " + session_->files().folder.filename().string()};
 }
 
-void Editor::export_to(const fs::path& file) const {
+void Editor::export_to(const fs::path& file) {
   const std::string ending = file.extension().string();
+  TtfReport report;
   if (ending == ".ufo") {
     UfoFiles files = session_->files();
     write_ufo(project(), file, files);
   } else if (ending == ".ttf") {
-    write_bytes(file, write_ttf(project()));
+    write_bytes(file, write_ttf(project(), &report));
   } else if (ending == ".bin") {
-    write_bytes(file, make_rom(project(), {}).bytes);
+    write_bytes(file, make_rom(project(), {}, &report).bytes);
   } else {
     throw Error(file.string() +
                 ": its ending says what to write: .ttf, .bin or .ufo");
   }
+  message = {"Wrote " + file.string() +
+             (report.glyphs == 0 ? "" : ": " + report.text())};
 }
 
 void Editor::show(const std::string& glyph) {
@@ -171,6 +256,7 @@ void Editor::show(const std::string& glyph) {
   }
   tool_->cancel(*this);
   glyph_ = name;
+  had_source_ = has_source(*project().find(name));
   select_nothing();
   fit_view();
 }
@@ -201,9 +287,12 @@ Project Editor::shown_project() const {
 }
 
 void Editor::run(Value command) {
-  fill_glyph(glyph_, command);
+  command = for_glyph(glyph_, std::move(command));
   tool_->interrupt(*this);
   session_->run(command);
+  if (command.value("do", "") == "rename_glyph" && command["glyph"] == glyph_) {
+    glyph_ = command["to"].get<std::string>();
+  }
   follow_change();
 }
 
@@ -212,7 +301,7 @@ void Editor::propose(Value command) {
   if (command.is_null()) {
     return;
   }
-  fill_glyph(glyph_, command);
+  command = for_glyph(glyph_, std::move(command));
   Proposal proposal = {command, change_of(project(), command), nullptr};
   for (const GlyphChange& change : proposal.change.glyphs) {
     if (change.layer == 0 && change.name == glyph_) {
@@ -251,6 +340,11 @@ void Editor::follow_change() {
   if (message.is_problem) {
     message = {};
   }
+  const GlyphPointer now = project().find(glyph_);
+  if (had_source_ && now != nullptr && !has_source(*now)) {
+    message = {"The glyph is an outline now; undo brings its source back"};
+  }
+  had_source_ = now != nullptr && has_source(*now);
   drop_lost_selection();
 }
 

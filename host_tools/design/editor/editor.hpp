@@ -67,6 +67,9 @@ struct Clipboard {
   std::function<void(const std::string&)> write;
 };
 
+/// A command on the glyph unless it names one, and so for each of a batch.
+Value for_glyph(const std::string& glyph, Value command);
+
 class Editor {
  public:
   Editor();
@@ -78,9 +81,21 @@ class Editor {
   void open(const std::filesystem::path& file,
             std::filesystem::path project = {},
             const std::vector<std::string>& chars = {});
+  /// Makes a project, a folder that does not exist, with `info` of fontinfo and
+  /// the glyphs of a list (add_glyphs()), and opens it. Throws Error.
+  void create(const std::filesystem::path& folder,
+              const Value& info,
+              const std::string& glyphs);
   void save();
+  /// Saves as another project, which does not exist, and continues there; the
+  /// old one stays as it was saved last. Throws Error.
+  void save_as(const std::filesystem::path& folder);
+  /// Drops all changes since the project was saved.
+  void revert();
+  /// revert() before the program ends.
+  void discard() { session_->close(); }
   /// Writes a copy: .ufo, .ttf or .bin. Throws Error.
-  void export_to(const std::filesystem::path& file) const;
+  void export_to(const std::filesystem::path& file);
 
   bool is_open() const { return session_ != nullptr; }
   /// Only if is_open().
@@ -145,6 +160,7 @@ class Editor {
 
   std::unique_ptr<Session> session_;
   std::string glyph_;
+  bool had_source_ = false;  // strokes or a tree, before the last change
   std::optional<Proposal> proposal_;
   ToolKind tool_kind_ = ToolKind::select;
   std::unique_ptr<Tool> tool_;

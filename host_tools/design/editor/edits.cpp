@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "shape/points.hpp"
+
 namespace inkcell::design::editor {
 namespace {
 
@@ -55,6 +57,96 @@ Value set_point(PointId id, double x, double y) {
           {"point", id.point},
           {"x", std::round(x)},
           {"y", std::round(y)}};
+}
+
+// The far end of the quadratic with the control point `point`, seen from the
+// other end; none if another control point is there, or it is a corner.
+std::optional<size_t> smooth_end(const PointContour& contour,
+                                 size_t point,
+                                 bool is_after) {
+  const auto end = neighbour(contour, point, is_after);
+  return end && contour.points[*end].on_curve() && contour.points[*end].smooth
+             ? end
+             : std::nullopt;
+}
+
+// The place of a quadratic's control point whose one end moves from `from` to
+// `to`: on the tangents at both ends, which keep their directions. Nothing if
+// these do not meet between the ends.
+std::optional<Point> slid_control(Point control,
+                                  Point from,
+                                  Point to,
+                                  Point end) {
+  constexpr double kLeastSine = 0.05;
+  const Point a = gen::direction(control - from);
+  const Point b = gen::direction(control - end);
+  const double sine = gen::cross(a, b);
+  if (std::abs(sine) < kLeastSine) {
+    return std::nullopt;
+  }
+  const double along_a = gen::cross(end - to, b) / sine;
+  const double along_b = gen::cross(end - to, a) / sine;
+  return along_a > 0 && along_b > 0 ? std::optional<Point>(to + along_a * a)
+                                    : std::nullopt;
+}
+
+// Moves the control points next to a moved point of quadratics: adds them to
+// `moving`, or sets them in `commands`.
+void follow_with_controls(const PointContour& contour,
+                          PointId id,
+                          Point move,
+                          Selection& moving,
+                          std::vector<Value>& commands) {
+  const GlyphPoint& point = contour.points[id.point];
+  for (const bool is_after : {false, true}) {
+    const auto next = neighbour(contour, id.point, is_after);
+    if (!next || contour.points[*next].on_curve() ||
+        is_cubic_handle(contour, *next) ||
+        moving.count({id.contour, *next}) != 0) {
+      continue;
+    }
+    const auto end = smooth_end(contour, *next, is_after);
+    const GlyphPoint& control = contour.points[*next];
+    std::optional<Point> place;
+    if (end && moving.count({id.contour, *end}) == 0) {
+      place = slid_control({control.x, control.y}, {point.x, point.y},
+                           Point{point.x, point.y} + move,
+                           {contour.points[*end].x, contour.points[*end].y});
+    }
+    if (place) {
+      commands.push_back(set_point({id.contour, *next}, place->x, place->y));
+    } else {
+      moving.insert({id.contour, *next});
+    }
+  }
+}
+
+// If the control point `id` of a quadratic moves: smooth points between it and
+// other control points stay between them.
+void follow_with_points(const PointContour& contour,
+                        PointId id,
+                        Point move,
+                        std::vector<Value>& commands) {
+  const GlyphPoint& control = contour.points[id.point];
+  if (control.on_curve() || is_cubic_handle(contour, id.point)) {
+    return;
+  }
+  for (const bool is_after : {false, true}) {
+    const auto end = smooth_end(contour, id.point, is_after);
+    const auto other =
+        end ? neighbour(contour, *end, is_after) : std::optional<size_t>();
+    if (!other || *other == id.point || contour.points[*other].on_curve() ||
+        is_cubic_handle(contour, *other)) {
+      continue;
+    }
+    const Point from = {control.x, control.y};
+    const Point to = {contour.points[*other].x, contour.points[*other].y};
+    const Point at = {contour.points[*end].x, contour.points[*end].y};
+    const double size = gen::length(to - from);
+    const double part = size == 0 ? 0 : gen::length(at - from) / size;
+    const Point place = from + move + part * (to - from - move);
+    commands.push_back(set_point({id.contour, *end}, place.x, place.y));
+  }
 }
 
 // Turns the handle `id` opposite to a handle at `other`; its length is kept.
@@ -151,12 +243,21 @@ Value move_selection(const Glyph& glyph,
   if (moving.empty()) {
     return nullptr;
   }
+  std::vector<Value> commands;
+  for (const PointId id : selection) {
+    const PointContour& contour = glyph.contours[id.contour];
+    if (contour.points[id.point].on_curve()) {
+      follow_with_controls(contour, id, {dx, dy}, moving, commands);
+    } else if (selection.size() == 1) {
+      follow_with_points(contour, id, {dx, dy}, commands);
+    }
+  }
   Value points = Value::array();
   for (const PointId id : moving) {
     points.push_back({id.contour, id.point});
   }
-  std::vector<Value> commands = {
-      {{"do", "move_points"}, {"points", points}, {"dx", dx}, {"dy", dy}}};
+  commands.push_back(
+      {{"do", "move_points"}, {"points", points}, {"dx", dx}, {"dy", dy}});
   if (moving.size() == 1) {
     Value turn = turn_opposite(glyph, *moving.begin(), dx, dy);
     if (!turn.is_null()) {
@@ -303,6 +404,13 @@ Value replace_contours(const Glyph& glyph,
 
 Value add_contour(const PointContour& contour) {
   return {{"do", "add_contour"}, {"points", contour_value(contour)}};
+}
+
+Value draw_contour(const Editor& editor, const PointContour& contour) {
+  const Project& project = editor.project();
+  return add_contour(
+      in_direction_of(project, *project.find(editor.glyph_name()), {contour})
+          .front());
 }
 
 PointContour rectangle(Point a, Point b) {

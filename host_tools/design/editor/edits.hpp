@@ -10,9 +10,11 @@ namespace inkcell::design::editor {
 /// Several commands as one step.
 Value batch(std::vector<Value> commands);
 
-/// Moves the selected points. Handles of selected points of a cubic move with
-/// them. If a handle is moved alone and its point is smooth, the opposite
-/// handle turns with it. Null if nothing is selected.
+/// Moves the selected points. Their handles move with them; the handle of a
+/// quadratic moves along the tangent at its other end if that is smooth. If a
+/// handle is moved alone and its point is smooth, the opposite handle turns
+/// with it, or between quadratics the point stays between both. Null if nothing
+/// is selected.
 Value move_selection(const Glyph& glyph,
                      const Selection& selection,
                      double dx,
@@ -38,6 +40,9 @@ Value replace_contours(const Glyph& glyph,
                        const std::vector<PointContour>& contours);
 
 Value add_contour(const PointContour& contour);
+
+/// Adds a contour that is counter-clockwise, in the direction of the glyph's.
+Value draw_contour(const Editor& editor, const PointContour& contour);
 
 /// Counter-clockwise, between two corners.
 PointContour rectangle(Point a, Point b);

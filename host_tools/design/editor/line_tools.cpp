@@ -163,9 +163,9 @@ class ShapeTool : public LineTool {
     }
     const bool has_area = a_.x != b_.x && a_.y != b_.y;
     const bool is_box = kind_ == ToolKind::rectangle;
-    editor.propose(
-        has_area ? add_contour(is_box ? rectangle(a_, b_) : ellipse(a_, b_))
-                 : Value());
+    editor.propose(has_area ? draw_contour(editor, is_box ? rectangle(a_, b_)
+                                                          : ellipse(a_, b_))
+                            : Value());
   }
   void finish(Editor& editor) override { editor.commit(); }
 

@@ -4,6 +4,7 @@
 #include "editor/edits.hpp"
 #include "editor/segments.hpp"
 #include "editor/tool.hpp"
+#include "model/commands.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -44,7 +45,7 @@ class PenTool : public Tool {
         at_ = {points.front().x, points.front().y};
       }
     }
-    editor.propose(command(*glyph));
+    editor.propose(command(editor));
   }
 
   void drag(Editor& editor, const Pointer& pointer) override {
@@ -56,7 +57,7 @@ class PenTool : public Tool {
       return;
     }
     handle_ = to;
-    editor.propose(command(*editor.project().find(editor.glyph_name())));
+    editor.propose(command(editor));
   }
 
   void release(Editor& editor, const Pointer&) override {
@@ -140,7 +141,20 @@ class PenTool : public Tool {
                    : std::nullopt;
   }
 
-  Value command(const Glyph& glyph) const {
+  // A contour that is closed gets the direction of the others.
+  Value turn_over(const Editor& editor, const Value& closing) const {
+    const Change change =
+        change_of(editor.project(), for_glyph(editor.glyph_name(), closing));
+    const Glyph& closed = *change.glyphs[0].after;
+    const GlyphPointer before = editor.project().find(editor.glyph_name());
+    const bool is_wrong = (twice_area(closed.contours[*contour_]) < 0) !=
+                          is_clockwise(editor.project(), *before);
+    const Value turn = {{"do", "reverse_contour"}, {"contour", *contour_}};
+    return is_wrong ? batch({closing, turn}) : closing;
+  }
+
+  Value command(const Editor& editor) const {
+    const Glyph& glyph = *editor.project().find(editor.glyph_name());
     if (!contour_) {
       return {{"do", "add_contour"},
               {"points", Value::array({Value{at_.x, at_.y, "move"}})}};
@@ -175,7 +189,8 @@ class PenTool : public Tool {
                           {"at", points.size()},
                           {"points", added}});
     }
-    return batch(std::move(commands));
+    const Value all = batch(std::move(commands));
+    return is_closing_ ? turn_over(editor, all) : all;
   }
 
   std::optional<size_t> contour_;  // being drawn

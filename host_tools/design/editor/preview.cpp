@@ -93,9 +93,12 @@ PreviewJob make_job(const Project& project,
     return job;
   }
   Glyph mapped = *shown;
+  if (glyph[0] == '_') {  // a part, which fonts leave out
+    mapped.name = job.glyph = ".shown";
+  }
   mapped.unicodes = {kPrivate};
   job.character = kPrivate;
-  job.project.front().glyphs[glyph] =
+  job.project.front().glyphs[job.glyph] =
       std::make_shared<const Glyph>(std::move(mapped));
   return job;
 }

@@ -8,6 +8,7 @@
 
 #include "app/output.hpp"
 #include "editor/actions.hpp"
+#include "editor/glyph_set.hpp"
 #include "editor/latency.hpp"
 #include "editor/report.hpp"
 #include "import/image_import.hpp"
@@ -83,6 +84,17 @@ void open(const Line& line) {
                    line.words.size() > 2
                        ? Words(line.words.begin() + 2, line.words.end())
                        : Words());
+}
+
+void make_font(const Line& line) {
+  line.editor.create(word(line, 0),
+                     {{"familyName", word(line, 2)},
+                      {"unitsPerEm", number(line, 3)},
+                      {"ascender", number(line, 4)},
+                      {"descender", number(line, 5)},
+                      {"xHeight", number(line, 6)},
+                      {"capHeight", number(line, 7)}},
+                     word(line, 1));
 }
 
 void select(const Line& line) {
@@ -211,6 +223,18 @@ const std::vector<Command>& command_list() {
       {{"open", "FONT [PROJECT|-] [CHARS]...", "open a UFO, TTF or OTF"},
        open,
        false},
+      {{"new", "P.ufo GLYPHS NAME EM ASCENDER DESCENDER XHEIGHT CAPHEIGHT",
+        "make a project with glyphs A-Z,U+20 and open it"},
+       make_font,
+       false},
+      {{"add", "GLYPHS", "add glyphs: A-Z,U+B0 or a name, _stem"},
+       [](const Line& l) {
+         l.editor.run(add_glyphs(l.editor.project(), l.rest));
+       },
+       true},
+      {{"save_as", "P.ufo", "save as another project"},
+       [](const Line& l) { l.editor.save_as(word(l, 0)); },
+       true},
       {{"glyph", "NAME", "show a glyph, by its name or character"},
        [](const Line& l) { l.editor.show(word(l, 0)); },
        false},
@@ -226,6 +250,9 @@ const std::vector<Command>& command_list() {
            throw Error("key '" + l.words[0] + "' does nothing");
          }
        },
+       true},
+      {{"action", "NAME", "carry out an item of the menus: Unite"},
+       [](const Line& l) { action(l.rest).run(l.editor); },
        true},
       {{"tool", "NAME", "choose a tool, as the window names it"},
        set_tool,

@@ -3,12 +3,11 @@
 
 #include "editor/edits.hpp"
 #include "editor/tool.hpp"
+#include "model/command_table.hpp"
 #include "model/commands.hpp"
 
 namespace inkcell::design::editor {
 namespace {
-
-constexpr const char* kStrokesKey = "org.inkcell.strokes";
 
 class StrokeTool : public Tool {
  public:
@@ -29,8 +28,16 @@ class StrokeTool : public Tool {
   }
 
   void release(Editor& editor, const Pointer&) override {
+    const bool is_drawn = path_.size() > 1;
     path_.clear();
+    const GlyphPointer before = editor.project().find(editor.glyph_name());
     editor.commit();
+    if (is_drawn) {
+      editor.message = {keeps_strokes(*before)
+                            ? "Added a stroke; the glyph is made of strokes"
+                            : "Added the outline of a stroke, since the glyph "
+                              "has contours of its own"};
+    }
   }
 
   void cancel(Editor& editor) override {
@@ -47,6 +54,10 @@ class StrokeTool : public Tool {
   }
 
  private:
+  static bool keeps_strokes(const Glyph& glyph) {
+    return glyph.lib.contains(kStrokesKey) || glyph.contours.empty();
+  }
+
   // A glyph of strokes, or without contours, gets another stroke. Other glyphs
   // get the outline of the stroke, since strokes would replace their contours.
   Value command(const Editor& editor) const {
@@ -57,15 +68,11 @@ class StrokeTool : public Tool {
     }
     const Value stroke = {{"nib", editor.nib.text()}, {"points", points}};
     Value strokes = glyph->lib.value(kStrokesKey, Value::array());
-    const bool keeps_strokes = !strokes.empty() || glyph->contours.empty();
-    if (!keeps_strokes) {
-      strokes = Value::array();
-    }
     strokes.push_back(stroke);
     const Value command = {{"do", "set_strokes"},
                            {"glyph", editor.glyph_name()},
                            {"strokes", strokes}};
-    if (keeps_strokes) {
+    if (keeps_strokes(*glyph)) {
       return command;
     }
     std::vector<Value> commands;

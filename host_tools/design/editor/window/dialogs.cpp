@@ -6,21 +6,53 @@
 #include <filesystem>
 #include <vector>
 
+#include "editor/glyph_set.hpp"
 #include "editor/window/panels.hpp"
 #include "import/image_import.hpp"
+#include "model/error.hpp"
 
 namespace inkcell::design::editor {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kQuestion = "Quit";
+
+using Values = std::vector<std::string>;
+
 struct Dialog {
   const char* name;
   const char* text;
   const char* button;
   std::vector<std::string> endings;  // of the files that are listed
-  void (*run)(Editor& editor, const std::string& value);
+  std::vector<const char*> labels;   // of values after the first
+  Values (*propose)(const Editor& editor);
+  void (*run)(Editor& editor, const Values& values);
 };
+
+Values nothing(const Editor&) {
+  return {""};
+}
+
+double number_of(const std::string& label, const std::string& text) {
+  try {
+    return std::stod(text);
+  } catch (const std::exception&) {
+    throw Error(label + " is '" + text + "', which is no number");
+  }
+}
+
+void make_font(Editor& editor, const Values& values) {
+  editor.create(values[0],
+                {{"familyName", values[1]},
+                 {"styleName", "Regular"},
+                 {"unitsPerEm", number_of("Units an em", values[2])},
+                 {"ascender", number_of("Ascender", values[3])},
+                 {"descender", number_of("Descender", values[4])},
+                 {"xHeight", number_of("x-height", values[5])},
+                 {"capHeight", number_of("Cap height", values[6])}},
+                values[7]);
+}
 
 const std::vector<Dialog>& dialog_list() {
   static const std::vector<Dialog> list = {
@@ -28,28 +60,82 @@ const std::vector<Dialog>& dialog_list() {
        "A project (UFO), or a font (TTF, OTF) to make one of",
        "Open",
        {".ufo", ".ttf", ".otf"},
-       [](Editor& editor, const std::string& value) { editor.open(value); }},
+       {},
+       nothing,
+       [](Editor& editor, const Values& values) { editor.open(values[0]); }},
+      {"New font",
+       "A project (UFO) with empty glyphs: characters (A-Z,U+B0) or a name",
+       "Make",
+       {".ufo"},
+       {"Name", "Units an em", "Ascender", "Descender", "x-height",
+        "Cap height", "Glyphs"},
+       [](const Editor&) {
+         return Values{"Untitled.ufo", "Untitled", "1000", "800",
+                       "-200",         "500",      "700",  "0x20-0x7E"};
+       },
+       make_font},
+      {"Save as",
+       "Another project (UFO); this one stays as it was saved last",
+       "Save",
+       {".ufo"},
+       {},
+       [](const Editor&) { return Values{"Copy.ufo"}; },
+       [](Editor& editor, const Values& values) { editor.save_as(values[0]); }},
       {"Export",
        "A font (.ttf, .bin) or a copy of the project (.ufo)",
        "Export",
        {".ttf", ".bin", ".ufo"},
-       [](Editor& editor, const std::string& value) {
-         editor.export_to(value);
-         editor.message = {"Wrote " + value};
+       {},
+       [](const Editor&) { return Values{"Font.ttf"}; },
+       [](Editor& editor, const Values& values) {
+         editor.export_to(values[0]);
+       }},
+      {"Add glyphs",
+       "Characters (A-Z,0x20-0x7E,U+B0), or a name (exclam, _stem)",
+       "Add",
+       {},
+       {},
+       nothing,
+       [](Editor& editor, const Values& values) {
+         const size_t before = editor.project().front().glyphs.size();
+         editor.run(add_glyphs(editor.project(), values[0]));
+         const size_t added = editor.project().front().glyphs.size() - before;
+         editor.message = {"Added glyphs: " + std::to_string(added)};
+       }},
+      {"Name and characters",
+       "The glyph's name, and its characters (U+0041,U+0391)",
+       "Change",
+       {},
+       {"Characters"},
+       [](const Editor& editor) {
+         return Values{editor.glyph_name(), character_list(*editor.glyph())};
+       },
+       [](Editor& editor, const Values& values) {
+         std::vector<Value> commands = {set_characters(values[1])};
+         if (values[0] != editor.glyph_name()) {
+           commands.push_back(rename_to(values[0]));
+         }
+         for (Value& command : commands) {
+           editor.run(std::move(command));
+         }
        }},
       {"Add component",
        "The name of the glyph to put into this one",
        "Add",
        {},
-       [](Editor& editor, const std::string& value) {
-         editor.run({{"do", "add_component"}, {"base", value}});
+       {},
+       nothing,
+       [](Editor& editor, const Values& values) {
+         editor.run({{"do", "add_component"}, {"base", values[0]}});
        }},
       {"Background picture",
        "A picture (PNG) behind the outline; the project keeps a copy",
        "Show",
        {".png"},
-       [](Editor& editor, const std::string& value) {
-         editor.run(image_command(editor.project(), value));
+       {},
+       nothing,
+       [](Editor& editor, const Values& values) {
+         editor.run(image_command(editor.project(), values[0]));
        }},
   };
   return list;
@@ -99,14 +185,18 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
   }
   ImGui::SetNextItemWidth(px(520));
   const bool is_entered = ImGui::InputText(
-      "##path", &panels.dialog_path,
+      "##path", &panels.dialog_values[0],
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (!dialog.endings.empty()) {
-    draw_files(dialog, panels.dialog_path);
+    draw_files(dialog, panels.dialog_values[0]);
+  }
+  for (size_t i = 0; i < dialog.labels.size(); ++i) {
+    ImGui::SetNextItemWidth(px(260));
+    ImGui::InputText(dialog.labels[i], &panels.dialog_values[i + 1]);
   }
   if (ImGui::Button(dialog.button, {px(110), 0}) || is_entered) {
     attempt(panels.editor,
-            [&] { dialog.run(panels.editor, panels.dialog_path); });
+            [&] { dialog.run(panels.editor, panels.dialog_values); });
     panels.dialog.clear();
     ImGui::CloseCurrentPopup();
   }
@@ -118,9 +208,70 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
   }
 }
 
+// The question before the program ends.
+void draw_question(Panels& panels) {
+  Editor& editor = panels.editor;
+  ImGui::OpenPopup(kQuestion);
+  if (!ImGui::BeginPopupModal(kQuestion, nullptr,
+                              ImGuiWindowFlags_AlwaysAutoResize)) {
+    return;
+  }
+  ImGui::Text("%s has changes that are not saved.",
+              editor.session().files().folder.filename().string().c_str());
+  const auto button = [&panels](const char* label, const char* hint) {
+    const bool is_pressed = ImGui::Button(label, {px(110), 0});
+    tooltip(hint);
+    ImGui::SameLine();
+    if (is_pressed) {
+      panels.dialog.clear();
+      ImGui::CloseCurrentPopup();
+    }
+    return is_pressed;
+  };
+  if (button("Save", "Saves the project and quits")) {
+    attempt(editor, [&] {
+      editor.save();
+      panels.wants_quit = true;
+    });
+  }
+  if (button("Discard", "Quits; the project is as it was saved last")) {
+    attempt(editor, [&] { editor.discard(); });
+    panels.wants_quit = true;
+  }
+  if (button("Keep", "Quits; the changes are there when it is opened again")) {
+    panels.wants_quit = true;
+  }
+  if (button("Cancel", "Goes back") ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    panels.dialog.clear();
+  }
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
+void open_dialog(Panels& panels, const char* name) {
+  for (const Dialog& dialog : dialog_list()) {
+    if (std::string(dialog.name) == name) {
+      panels.dialog = name;
+      panels.dialog_values = dialog.propose(panels.editor);
+    }
+  }
+}
+
+void quit(Panels& panels) {
+  if (panels.editor.is_open() && panels.editor.session().has_changes()) {
+    panels.dialog = kQuestion;
+  } else {
+    panels.wants_quit = true;
+  }
+}
+
 void draw_dialogs(Panels& panels) {
+  if (panels.dialog == kQuestion) {
+    draw_question(panels);
+    return;
+  }
   for (const Dialog& dialog : dialog_list()) {
     if (panels.dialog != dialog.name) {
       continue;

@@ -60,14 +60,17 @@ PreviewKey key_of(const Editor& editor) {
 }
 
 void handle_window_key(Panels& panels, const std::string& key) {
+  const bool is_open = panels.editor.is_open();
   if (key == "ctrl+q") {
-    panels.wants_quit = true;
+    quit(panels);
+  } else if (key == "ctrl+n") {
+    open_dialog(panels, "New font");
   } else if (key == "ctrl+o") {
-    panels.dialog = "Open";
-    panels.dialog_path.clear();
-  } else if (key == "ctrl+e" && panels.editor.is_open()) {
-    panels.dialog = "Export";
-    panels.dialog_path = "Font.ttf";
+    open_dialog(panels, "Open");
+  } else if (key == "ctrl+shift+s" && is_open) {
+    open_dialog(panels, "Save as");
+  } else if (key == "ctrl+e" && is_open) {
+    open_dialog(panels, "Export");
   } else if (panels.dialog.empty()) {
     attempt(panels.editor, [&] { press_key(panels.editor, key); });
   }
@@ -98,7 +101,9 @@ void run_window(const Arguments& arguments) {
     const bool is_open = screen.read_input(
         panels.preview_is_busy ? kFrameWait : kIdleWait,
         [&](const std::string& key) { handle_window_key(panels, key); });
-    panels.wants_quit |= !is_open;
+    if (!is_open) {
+      quit(panels);
+    }
     if (editor.glyph() != nullptr) {
       const PreviewKey key = key_of(editor);
       if (!asked || !(*asked == key)) {

@@ -35,11 +35,9 @@ void item(Panels& panels, const char* name, bool is_chosen = false) {
 void dialog_item(Panels& panels,
                  const char* name,
                  const char* keys,
-                 const char* path,
                  bool is_possible) {
   if (ImGui::MenuItem(name, keys, false, is_possible)) {
-    panels.dialog = name;
-    panels.dialog_path = path;
+    open_dialog(panels, name);
   }
 }
 
@@ -51,12 +49,15 @@ void draw_menu(Panels& panels) {
   }
   const bool is_open = panels.editor.is_open();
   if (ImGui::BeginMenu("File")) {
-    dialog_item(panels, "Open", "Ctrl+O", "", true);
+    dialog_item(panels, "New font", "Ctrl+N", true);
+    dialog_item(panels, "Open", "Ctrl+O", true);
     item(panels, "Save");
-    dialog_item(panels, "Export", "Ctrl+E", "Font.ttf", is_open);
+    dialog_item(panels, "Save as", "Ctrl+Shift+S", is_open);
+    item(panels, "Revert");
+    dialog_item(panels, "Export", "Ctrl+E", is_open);
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) {
-      panels.wants_quit = true;
+      quit(panels);
     }
     ImGui::EndMenu();
   }
@@ -70,13 +71,19 @@ void draw_menu(Panels& panels) {
   }
   if (ImGui::BeginMenu("Glyph")) {
     for (const char* name :
-         {"Smooth or corner", "Reverse contours", "Round to whole units",
-          "Decompose", "Next glyph", "Previous glyph"}) {
+         {"Unite", "Subtract", "Intersect", "Exclude", "", "Smooth or corner",
+          "Reverse contours", "Round to whole units", "Convert to cubics",
+          "Decompose", "", "Next glyph", "Previous glyph"}) {
       item(panels, name);
     }
     ImGui::Separator();
-    dialog_item(panels, "Add component", "", "", is_open);
-    dialog_item(panels, "Background picture", "", "", is_open);
+    dialog_item(panels, "Add glyphs", "", is_open);
+    dialog_item(panels, "Name and characters", "",
+                panels.editor.glyph() != nullptr);
+    item(panels, "Delete glyph");
+    ImGui::Separator();
+    dialog_item(panels, "Add component", "", is_open);
+    dialog_item(panels, "Background picture", "", is_open);
     item(panels, "Remove picture");
     ImGui::EndMenu();
   }

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "editor/editor.hpp"
 #include "editor/preview.hpp"
@@ -39,7 +40,7 @@ struct Panels {
   bool preview_is_busy = false;
   bool wants_quit = false;
   std::string dialog;  // the one that is open: its name; "" if none is
-  std::string dialog_path;
+  std::vector<std::string> dialog_values;
   std::string followed;  // the glyph that the grid has scrolled to
   // The filled shape on the canvas: the glyph without components.
   GlyphPointer filled;
@@ -68,5 +69,10 @@ void draw_preview_panel(Panels& panels);
 void draw_inspector(Panels& panels);
 void draw_status(Panels& panels);
 void draw_dialogs(Panels& panels);
+
+/// Opens a dialog by its name, with the values that it proposes.
+void open_dialog(Panels& panels, const char* name);
+/// Ends the program; with changes that are not saved it asks first.
+void quit(Panels& panels);
 
 }  // namespace inkcell::design::editor
