@@ -90,7 +90,7 @@ def check_points(editor):
                         "press 0 0", "release 0 0", "print")
     contour, = drawn["contours"]
     expect([point[2] for point in contour].count("curve") == 2 and
-           contour[0][2] == "curve", f"pen: {contour}")
+           area(contour) < 0, f"pen: {contour}")
 
 
 def check_tools(editor):

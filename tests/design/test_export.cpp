@@ -161,10 +161,10 @@ TEST(Ttf, KerningIsInBothTables) {
   const KerningLookup lookup(*project.font);
   for (const std::string table : {"kern", "GPOS"}) {
     std::vector<uint8_t> bytes = write_ttf(project);
-    const auto found =
+    const auto tag =
         std::search(bytes.begin(), bytes.end(), table.begin(), table.end());
-    ASSERT_NE(found, bytes.end());
-    *found = 'x';
+    ASSERT_NE(tag, bytes.end());
+    *tag = 'x';
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "font.ttf";
     write_text(file, std::string(bytes.begin(), bytes.end()));
@@ -173,10 +173,10 @@ TEST(Ttf, KerningIsInBothTables) {
     for (size_t i = 1; i < font.glyphs.size(); ++i) {
       for (size_t k = 1; k < font.glyphs.size(); ++k) {
         const auto name = [&](size_t glyph) {
-          for (const auto& [name, each] : project.front().glyphs) {
+          for (const auto& [found, each] : project.front().glyphs) {
             if (!each->unicodes.empty() &&
                 each->unicodes == font.glyphs[glyph].code_points) {
-              return name;
+              return found;
             }
           }
           return std::string();
@@ -266,6 +266,7 @@ TEST(Ttf, NamesTheGlyphThatDoesNotFit) {
   Project project;
   Glyph glyph;
   glyph.name = "huge";
+  glyph.unicodes = {U'h'};
   glyph.contours.push_back(
       parse_contour(Value::parse("[[0,0],[40000,0],[0,10]]")));
   project.front().glyphs["huge"] = std::make_shared<const Glyph>(glyph);

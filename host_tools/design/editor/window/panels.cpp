@@ -58,9 +58,10 @@ void draw_status(Panels& panels) {
   const Editor& editor = panels.editor;
   ImGui::SetCursorPosY(px(6));
   if (editor.glyph() == nullptr) {
-    draw_message(editor.message.text.empty()
-                     ? Message{"Open a TTF, OTF or UFO: Ctrl+O"}
-                     : editor.message);
+    draw_message(
+        editor.message.text.empty()
+            ? Message{"Open a TTF, OTF or UFO: Ctrl+O; new font: Ctrl+N"}
+            : editor.message);
     return;
   }
   ImGui::TextUnformatted(editor.session().has_changes() ? "Changed" : "Saved");
