@@ -13,8 +13,8 @@ namespace inkcell::gen {
 
 /// How all glyphs of a font are refitted: the coarsest grid that keeps the
 /// tolerance at the largest size, or that has room for glyphs as wide or high
-/// as `largest_u` if that is coarser, and how far outlines may stray. Font units
-/// serve sooner if the source's points lie on them.
+/// as `largest_u` if that is coarser, and how far outlines may stray. Font
+/// units serve sooner if the source's points lie on them.
 RefitOptions refit_options(const Target& options,
                            int units_per_em,
                            double largest_u,
