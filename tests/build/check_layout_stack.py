@@ -59,7 +59,7 @@ CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "to_units",
 
 # Who asks a sink to adapt a style, and who the pages of a font in storage.
 CALLS_SINK = ["draw", "draw_adapted", "draw_lines"]
-CALLS_PAGES = ["find_row", "glyph_of"]
+CALLS_PAGES = ["find_row", "glyph_of", "kerning"]
 
 # Where drawing begins.
 DRAWING = re.compile(r"^inkcell::Painter::")

@@ -861,7 +861,7 @@ class Tools(unittest.TestCase):
                                  seen["max_points"])
         said = run("inspect", rom, "--glyph", "D")
         self.assertRegex(said, r"points +\d+ in 2 contours")
-        self.assertRegex(run("inspect", rom), r"code table +\d+ words")
+        self.assertRegex(run("inspect", rom), r"code tables +\d+, \d+ words")
 
     def test_inspect_counts_cells(self):
         report = self.path / "report.json"
