@@ -113,7 +113,7 @@ inline void HeightFit::read(GlyphHints& hints) noexcept {
 }
 
 // Zones are apart, but their rows need not be: keeps a row free between two
-// where the outline has half a pixel, as between a stem and its dot. What is
+// where the outline has 3/8 px, as between a stem and its dot. What is
 // below the baseline makes room downwards.
 inline void HeightFit::part_zones() noexcept {
   for (Item* item = items_ + 1; item < end_; ++item) {
@@ -123,9 +123,9 @@ inline void HeightFit::part_zones() noexcept {
       continue;
     }
     const int32_t open = fit_.px_q6(item->low().at_u - below.high().at_u);
-    const int32_t least = !is_bilevel()    ? min(open, kLeastStroke)
-                          : open < kPx / 2 ? 0
-                                           : kPx;
+    const int32_t least = !is_bilevel()        ? min(open, kLeastStroke)
+                          : open < kPx * 3 / 8 ? 0
+                                               : kPx;
     const int32_t more = least - (item->low().to - below.high().to);
     if (more > 0) {
       Item& moved = below.high().at_u <= 0 ? below : *item;
