@@ -250,9 +250,12 @@ TEST(Morph, RefusesWhatItCannotPair) {
   GenerateRequest request;
   request.font = kDejaVuSans;
   request.morphs = {"12 3"};
-  EXPECT_EQ(refusal(request),
-            "--morph 3: a glyph morphs into another one; name at least two "
-            "characters, such as 01");
+  EXPECT_EQ(
+      refusal(request),
+      "--morph U+0033 '3': a glyph morphs into another one; name at least two "
+      "characters, such as 01");
+  request.morphs = {"\xee\x80\x81"};
+  EXPECT_EQ(refusal(request).find("--morph U+E001: a glyph"), 0u);
   request.morphs = {"12"};
   request.target.coding = Coding::field;
   EXPECT_EQ(refusal(request),

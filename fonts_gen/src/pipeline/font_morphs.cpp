@@ -24,7 +24,8 @@ std::vector<CharSet> groups_of(const GenerateRequest& request) {
       CharSet group;
       add_text(word, "--morph", group);
       if (group.size() < 2) {
-        throw Error("--morph " + word +
+        throw Error("--morph " +
+                    (group.empty() ? word : describe(*group.begin())) +
                     ": a glyph morphs into another one; name at least two "
                     "characters, such as 01");
       }
@@ -128,7 +129,7 @@ RomMorph make_morph(const RomContent& content, const GlyphPair& glyphs) {
 std::string name_of(const RomContent& content, uint16_t glyph) {
   for (const auto& [c, of] : content.glyph_of) {
     if (of == glyph) {
-      return to_utf8(c);
+      return describe(c);
     }
   }
   return "?";
@@ -153,8 +154,9 @@ void add_morphs(const GenerateRequest& request,
   std::string missing;
   for (RomMorph& morph : morphs) {
     if (morph.record.empty()) {
-      missing +=
-          " " + name_of(content, morph.first) + name_of(content, morph.second);
+      missing += (missing.empty() ? " " : ", ") +
+                 name_of(content, morph.first) + " and " +
+                 name_of(content, morph.second);
     } else {
       content.morphs.push_back(std::move(morph));
     }
