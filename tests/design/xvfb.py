@@ -29,7 +29,7 @@ class Display:
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(name), "-fbdir", str(folder),
              "-screen", "0", f"{width}x{height}x24", "-nocursor", "-noreset",
-             "-nolisten", "tcp"],
+             "-nolisten", "tcp", "-r"],
             pass_fds=(name,), stderr=subprocess.DEVNULL)
         os.close(name)
         with os.fdopen(number) as pipe:
