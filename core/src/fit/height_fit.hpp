@@ -87,7 +87,8 @@ inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
   return is_bilevel() ? whole_width(width) : max(width, kLeastStroke);
 }
 
-inline void HeightFit::read(GlyphHints& hints) noexcept {
+__attribute__((noinline)) inline void HeightFit::read(
+    GlyphHints& hints) noexcept {
   for (uint32_t i = hints.y_count(); i != 0; --i) {
     const YHint hint = hints.next_y();
     Item& item = *end_++;
@@ -238,7 +239,7 @@ inline void HeightFit::fit_end(Item& item) noexcept {
 }
 
 // Ends when all bars are fitted.
-inline void HeightFit::fit_free() noexcept {
+__attribute__((noinline)) inline void HeightFit::fit_free() noexcept {
   for (Item* item = items_; item != end_; ++item) {
     if (item->is_bar() && item->state == kFree) {
       fit_bar(*item);
