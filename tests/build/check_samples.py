@@ -1,5 +1,6 @@
 """Runs the examples of ESP-IDF and Zephyr on the host, with headers that are
-played: the panel must show the picture of the whole screen. So must boards/example.
+played: the panel must show the picture of the whole screen. So must boards/example
+and the complete file of docs/ANIMATING.md.
 
 Where INKCELL_IDF_DIR names ESP-IDF's sources, its example is compiled with their
 headers for ESP32-S3, too; FreeRTOS stays played.
@@ -18,13 +19,14 @@ FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 HERE = ROOT / "tests/build"
 SAMPLES = {"esp_idf": ROOT / "port/esp_idf/example/main",
            "zephyr": ROOT / "port/zephyr/sample/src",
-           "board": ROOT / "boards/example"}
-LIBRARIES = ["core/layout/libinkcell_layout.a",
+           "board": ROOT / "boards/example",
+           "animating": HERE / "animating"}
+LIBRARIES = ["core/kinetic/libinkcell_kinetic.a", "core/layout/libinkcell_layout.a",
              "port/display/libinkcell_port_display.a",
              "port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
 INCLUDES = [f"-I{ROOT / path}" for path in
-            ("core/include", "core/layout/include", "port/pixel/include",
-             "port/display/include", "boards/common")]
+            ("core/include", "core/kinetic/include", "core/layout/include",
+             "port/pixel/include", "port/display/include", "boards/common")]
 
 
 def check_sample(name, work, build):

@@ -140,6 +140,7 @@ struct Screen {
     }
     CHECK(equal());
   }
+  void wait_until(int32_t) const {}
 };
 
 // The pictures at rest, from plain text.
@@ -155,45 +156,59 @@ void check_plain(Recipe& recipe, Point origin, Text text) {
 
 // The examples of docs/ANIMATING.md.
 
+constexpr int32_t kFrameMs = 33;
+
 void count_up(Screen& screen) {
-  Counter steps(font, style, {8, 30}, 4);  // four wheels
-  steps.roll(0, 1250, {0, 2600});          // delay, duration [ms]
-  for (int32_t now = 0; now <= 2600; now += 33) {
+  Counter steps(font, style, {8, 30}, 4);
+  steps.roll(0, 1250, {0, 2600});
+  for (int32_t now = 0; now < 2600 + kFrameMs; now += kFrameMs) {
     screen.redraw(steps.at(now), steps);
   }
 }
 
-void tell_time(Screen& screen, uint32_t minute, int32_t since_ms) {
+void tell_time(Screen& screen) {
+  const uint32_t minute = 60;  // of the day: from 00:59 to 01:00
   Clock clock(font, style, {4, 30});
-  for (int32_t now = since_ms; now < Clock::kEndMs; now += 33) {
+  for (int32_t now = 0; now < Clock::kEndMs + kFrameMs; now += kFrameMs) {
+    screen.wait_until(now);
     screen.redraw(clock.at(minute - 1, minute, now), clock);
   }
 }
 
 void type(Screen& screen) {
-  Typewriter line(font, style, {2, 30}, "012:3", 90);  // ms a letter
+  Typewriter line(font, style, {2, 30}, "012:3", 90);  // 90 ms a letter
   for (int32_t now = 0; now < 3000; now = line.next_due(now)) {
-    screen.redraw(line.at(now), line);  // sleep until the next one
+    screen.wait_until(now);
+    screen.redraw(line.at(now), line);
   }
 }
 
 void reveal(Screen& screen) {
-  Wipe title(font, style, {2, 30}, "01234", {200, 900});
-  for (int32_t now = 0; now <= 1200; now += 33) {
+  const Timing timing = {200, 900};  // delay, duration [ms]
+  Wipe title(font, style, {2, 30}, "01234", timing);
+  for (int32_t now = 0; now < 1100 + kFrameMs; now += kFrameMs) {
+    screen.wait_until(now);
     screen.redraw(title.at(now), title);
   }
 }
 
 Status bounce(Screen& screen) {
-  static constexpr PoseThere kHop = hop(8_px, 500);  // or swell(1.5_px, 500)
-  const LetterMotion motion = {kHop.keys, {0, 1500, 0}, {80}};
-  const RunPlace where = {{2, 30}, style.size(), {}, 250};
-  RunGlyph glyphs[8];
+  static constexpr PoseThere kHop = hop(8_px, 500);  // height, duration [ms]
+  LetterMotion motion;
+  motion.keys = kHop.keys;  // or those of swell(1.5_px, 500)
+  motion.timing.duration_ms = 1500;
+  motion.timing.repeats = 0;    // 0: repeats for ever
+  motion.stagger.step_ms = 80;  // from letter to letter
+  RunPlace where;
+  where.origin = {2, 30};  // x, baseline
+  where.size = style.size();
+  RunGlyph glyphs[8];  // one for each letter, or more
   Run run;
   INKCELL_TRY(lay_out(font, "01234", kinetic::Align::left, glyphs, run));
   PoseRenderer renderer(font, style.size());
   MovingLetters letters(renderer, font, run, where, motion);
-  for (int32_t now = 0; now < 3000; now += 33) {
+  for (int32_t now = 0; now < 3000; now += kFrameMs) {
+    screen.wait_until(now);
     screen.redraw(letters.at(now), letters);
   }
   return Status::ok;
@@ -201,18 +216,38 @@ Status bounce(Screen& screen) {
 
 // A line that runs by, with soft ends.
 struct Ticker {
+  static constexpr Rect kBox = {0, 8, 96, 34};  // x0, y0, x1, y1 [px]
+  static constexpr Q26_6 kGap = 24_px;          // from the end to the start
+  static constexpr int32_t kSpeed = 40;         // [px/s]
   ScrollingLabel label;
-  int32_t now_ms = 0;
+  Q26_6 scroll;
 
+  Rect at(int64_t now_ms) {
+    const int32_t loop = label.width().raw + kGap.raw;  // [1/64 px]
+    scroll = Q26_6::from_raw(
+        static_cast<int32_t>(now_ms * kSpeed * 64 / 1000 % loop));
+    return kBox;  // all of it moves
+  }
   void draw(const Painter& painter) const {
     SoftWindow window;
     window.target = &painter.sink();
-    window.window = {0, 8, 96, 34};
-    window.soft.left = window.soft.right = 16;                      // [px]
-    const Q26_6 scroll = Q26_6::from_raw(now_ms * 64 * 40 / 1000);  // 40 px/s
-    label.draw_endless(scroll, 24_px, make_sink(window), painter.ram());
+    window.window = kBox;
+    window.soft.left = window.soft.right = 16;  // [px]
+    label.draw_endless(scroll, kGap, make_sink(window), painter.ram());
   }
 };
+
+Status run_by(Screen& screen) {
+  PositionedGlyph glyphs[16];  // one for each letter, or more
+  Ticker ticker;
+  INKCELL_TRY(ScrollingLabel::make(LayoutOptions(font, style), "00000000",
+                                   Ticker::kBox, glyphs, ticker.label));
+  for (int32_t now = 0; now < 4000; now += kFrameMs) {
+    screen.wait_until(now);
+    screen.redraw(ticker.at(now), ticker);
+  }
+  return Status::ok;
+}
 
 }  // namespace
 
@@ -260,7 +295,7 @@ TEST(counters_count_down_and_overshoot) {
 
 TEST(clocks_roll_without_pairs) {
   Screen screen;
-  tell_time(screen, 60, 0);
+  tell_time(screen);
   // 00:59 to 01:00: three digits, one after the other.
   Clock clock(font, style, {4, 30});
   Rect all = clock.at(59, 60, 0);
@@ -357,13 +392,16 @@ TEST(letters_move_one_after_the_other) {
 }
 
 TEST(tickers_fade_at_their_ends) {
+  Screen screen;
+  CHECK_OK(run_by(screen));
+  CHECK_EQ(screen.redraws, 122);
   PositionedGlyph glyphs[16];
   Ticker ticker;
   CHECK_OK(ScrollingLabel::make(LayoutOptions(font, style), "00000000",
-                                {0, 8, 96, 34}, glyphs, ticker.label));
+                                Ticker::kBox, glyphs, ticker.label));
   int32_t columns[2] = {};
   for (int32_t now = 0; now < 4000; now += 33) {
-    ticker.now_ms = now;
+    ticker.at(now);
     draw(ticker, whole, kAll);
     for (int32_t y = 0; y < kHeight; ++y) {
       columns[0] =
@@ -374,6 +412,13 @@ TEST(tickers_fade_at_their_ends) {
   }
   CHECK(columns[0] < 10);
   CHECK_EQ(columns[1], 255);
+  // 2560 loops later, in hours, it shows the same.
+  ticker.at(1000);
+  const int32_t scroll = ticker.scroll.raw;
+  ticker.at(1000 + 1000 * int64_t{ticker.label.width().raw + 24 * 64});
+  CHECK_EQ(ticker.scroll.raw, scroll);
+  ticker.at(INT64_C(100000000000));  // three years
+  CHECK(ticker.scroll.raw >= 0);
 }
 
 TEST(soft_windows_are_linear) {
