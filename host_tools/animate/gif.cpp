@@ -20,6 +20,7 @@ namespace {
 constexpr size_t kCells = 32768;
 constexpr size_t kMostBytes = 1'000'000;  // of ten seconds
 constexpr uint64_t kSamples = 65536;      // that giflib chooses colours of
+constexpr size_t kGroundPart = 128;  // a ground covers 1/128 of the first frame
 
 // What is tried until the file is small enough.
 struct Effort {
@@ -74,7 +75,16 @@ struct FreeMap {
 struct GifWriter::Palette {
   std::array<GifColorType, 256> colours{};
   int count = 0;
+  size_t grounds = 0;          // the first colours
   std::vector<uint8_t> index;  // of each cell
+
+  static GifColorType mean_of(const Cell& cell) {
+    const auto mean = [&](size_t k) {
+      return static_cast<GifByteType>((cell.sum.at(k) + cell.count / 2) /
+                                      cell.count);
+    };
+    return {mean(0), mean(1), mean(2)};
+  }
 
   // The map has a power of two of entries, and one that is transparent.
   int map_size() const {
@@ -100,6 +110,17 @@ GifWriter::GifWriter(const std::filesystem::path& file,
   }
 }
 
+// Cells that cover much of the first frame, the largest first.
+void GifWriter::find_grounds() {
+  for (size_t i = 0; i < kCells; ++i) {
+    if (cells_[i].count * kGroundPart >= before_.pixels.size() / 3) {
+      grounds_.push_back(cells_[i]);
+    }
+  }
+  std::sort(grounds_.begin(), grounds_.end(),
+            [](const Cell& a, const Cell& b) { return a.count > b.count; });
+}
+
 void GifWriter::add(const Image& frame) {
   const size_t count = frame.pixels.size() / 3;
   std::vector<uint16_t> cells(count);
@@ -115,6 +136,9 @@ void GifWriter::add(const Image& frame) {
     }
   }
   before_ = frame;
+  if (frames_.empty()) {
+    find_grounds();
+  }
   uLongf bytes = compressBound(2 * count);
   std::vector<uint8_t> packed(bytes);
   if (compress2(packed.data(), &bytes,
@@ -127,8 +151,9 @@ void GifWriter::add(const Image& frame) {
   frames_.push_back(std::move(packed));
 }
 
-// giflib cuts the space of colours by medians; each colour is then the mean of
-// the pixels that are nearest to it.
+// Grounds keep their colours, in up to half of the palette. For the others
+// giflib cuts the space of colours by medians; each is then the mean of the
+// pixels that are nearest to it.
 GifWriter::Palette GifWriter::choose_colours(int most) const {
   uint64_t total = 0;
   for (const Cell& cell : cells_) {
@@ -146,13 +171,20 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
     }
   }
   Palette palette;
-  palette.count = most;
+  palette.grounds = std::min(grounds_.size(), static_cast<size_t>(most) / 2);
+  for (size_t n = 0; n < palette.grounds; ++n) {
+    palette.colours.at(n) = Palette::mean_of(grounds_[n]);
+  }
+  const int grounds = static_cast<int>(palette.grounds);
+  palette.count = most - grounds;
   std::vector<GifByteType> chosen(planes[0].size());
   if (GifQuantizeBuffer(static_cast<unsigned>(chosen.size()), 1, &palette.count,
                         planes[0].data(), planes[1].data(), planes[2].data(),
-                        chosen.data(), palette.colours.data()) == GIF_ERROR) {
+                        chosen.data(),
+                        &palette.colours.at(palette.grounds)) == GIF_ERROR) {
     throw std::runtime_error("giflib could not choose colours");
   }
+  palette.count += grounds;
   std::array<Cell, 256> sums{};
   palette.index.resize(kCells);
   for (size_t i = 0; i < kCells; ++i) {
@@ -160,15 +192,13 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
     if (cell.count == 0) {
       continue;
     }
-    const auto mean = [&](size_t k) {
-      return static_cast<int>(cell.sum.at(k) / cell.count);
-    };
+    const GifColorType mean = Palette::mean_of(cell);
     int least = std::numeric_limits<int>::max();
     for (int n = 0; n < palette.count; ++n) {
       const GifColorType& colour = palette.colours.at(static_cast<size_t>(n));
-      const int distance = 3 * square(colour.Red - mean(0)) +
-                           4 * square(colour.Green - mean(1)) +
-                           2 * square(colour.Blue - mean(2));
+      const int distance = 3 * square(colour.Red - mean.Red) +
+                           4 * square(colour.Green - mean.Green) +
+                           2 * square(colour.Blue - mean.Blue);
       if (distance < least) {
         least = distance;
         palette.index[i] = static_cast<uint8_t>(n);
@@ -180,14 +210,9 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
       sum.sum.at(k) += cell.sum.at(k);
     }
   }
-  for (size_t n = 0; n < sums.size(); ++n) {
-    const Cell& sum = sums.at(n);
-    if (sum.count != 0) {
-      const auto mean = [&](size_t k) {
-        return static_cast<GifByteType>((sum.sum.at(k) + sum.count / 2) /
-                                        sum.count);
-      };
-      palette.colours.at(n) = {mean(0), mean(1), mean(2)};
+  for (size_t n = palette.grounds; n < sums.size(); ++n) {
+    if (sums.at(n).count != 0) {
+      palette.colours.at(n) = Palette::mean_of(sums.at(n));
     }
   }
   return palette;

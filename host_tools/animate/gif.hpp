@@ -13,8 +13,8 @@ namespace inkcell::tools {
 
 /// Writes frames as an endless loop, at the end. After the first each is the
 /// rectangle that changed, with what stays as it is left transparent. Takes 255
-/// colours, or fewer, or half of the frames, until ten seconds
-/// take less than 1 MB.
+/// colours, or fewer, or half of the frames, until ten seconds take less than
+/// 1 MB. Colours that cover much of the first frame stay as they are.
 class GifWriter {
  public:
   /// Frames have three channels and this size; GIF counts time in 1/100 s.
@@ -35,6 +35,7 @@ class GifWriter {
   };
   struct Palette;
 
+  void find_grounds();
   Palette choose_colours(int most) const;
   std::vector<uint8_t> encode(const Palette& palette, size_t step) const;
   [[noreturn]] void refuse(const char* why) const;
@@ -44,6 +45,7 @@ class GifWriter {
   int frames_per_second_;
   Image before_;
   std::vector<Cell> cells_;
+  std::vector<Cell> grounds_;                 // of the first frame
   std::vector<std::vector<uint8_t>> frames_;  // a cell each pixel, packed
 };
 

@@ -4,6 +4,7 @@
 Usage: check_animate.py --animate PROGRAM --fontgen PROGRAM
 """
 import argparse
+import collections
 import json
 import os
 import pathlib
@@ -167,6 +168,22 @@ class Animate(unittest.TestCase):
             "--out", out)
         self.assertEqual(out.read_bytes()[6:10],
                          struct.pack("<HH", 800, 160))
+        # Each tile has a ground of its own, which the palette keeps.
+        gif = out.read_bytes()
+        palette = gif[13:13 + 3 * (2 << (gif[10] & 7))]
+        run("animate", "reel", "--format", "frames", "--fps", 5, "--seconds",
+            0.2, "--out", out.with_suffix(""))
+        first = sorted(out.with_suffix("").glob("*.png"))[0].read_bytes()
+        data = b"".join(data for kind, data in chunks(first) if kind == b"IDAT")
+        pixels = b"".join(unfilter(data, 800, 160, 3))
+        found = collections.Counter(zip(*[iter(pixels)] * 3))
+        grounds = [ground for ground, count in found.items()
+                   if count > 800 * 160 // 50]
+        self.assertGreater(len(grounds), 5)
+        for ground in grounds:
+            off = min(max(abs(a - b) for a, b in zip(ground, colour))
+                      for colour in zip(*[iter(palette)] * 3))
+            self.assertLessEqual(off, 4, ground)  # of colours of 5 bits
         self.assertIn("--text: the reel plays",
                       run("animate", "reel", "--text", "x", "--out", out,
                           code=1))
