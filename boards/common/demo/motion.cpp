@@ -24,13 +24,21 @@ constexpr size_t some(size_t count) noexcept {
 // Speeds up large glyphs; small displays have little RAM.
 constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
 
-Font font;
+// Open from the start: scenes may measure their text as they are made.
+struct OpenFont {
+  OpenFont() noexcept : status(Font::open(fonts::motion, font)) {}
+
+  Font font;
+  Status status;
+};
+
+OpenFont motion;
 int8_t grid[some(kNeeds.grid)];
 kinetic::Particle particles[some(kNeeds.particles)];
 kinetic::ParticleHome homes[some(kNeeds.homes)];
 alignas(4) uint8_t ram[some(kLentBytes)];
 
-Scene scene({&font,
+Scene scene({&motion.font,
              Scene::kText,
              kWidth,
              kHeight,
@@ -42,7 +50,7 @@ Scene scene({&font,
 }  // namespace
 
 Status open_motion() noexcept {
-  INKCELL_TRY(Font::open(fonts::motion, font));
+  INKCELL_TRY(motion.status);
   return scene.open();
 }
 

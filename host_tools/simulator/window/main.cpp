@@ -1,8 +1,11 @@
 // inkcell-simulator: the displays of the boards in a window.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
+#include <string_view>
 
+#include "clock_scene.hpp"
 #include "convert.hpp"
 #include "program.hpp"
 #include "script.hpp"
@@ -46,6 +49,15 @@ RomFile make_font(const std::string& file,
   conversion.request.target.coding =
       wish.coding == "outline" ? gen::Coding::outline : gen::Coding::field;
   conversion.request.progress = progress;
+  // Pairs for the scene `clock`, where its digits are asked for.
+  const auto is_asked = [&wish](char digit) {
+    return wish.text.find(digit) != std::string::npos;
+  };
+  const std::string_view digits = "0123456789";
+  if (wish.coding == "outline" && conversion.request.morphs.empty() &&
+      std::all_of(digits.begin(), digits.end(), is_asked)) {
+    conversion.request.morphs = {scenes::ClockScene::kMorphs};
+  }
   RomFile rom = load_font_file(file, conversion, wish.text);
   if (coding_name(rom.font()) != wish.coding) {
     throw std::runtime_error(file + ": is a ROM font of " +
