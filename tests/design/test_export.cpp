@@ -458,7 +458,7 @@ TEST_F(Rebuilt, OnlyChangedOutlinesAreBuilt) {
 
 TEST_F(Rebuilt, OtherConditionsBuildAllAnew) {
   EXPECT_EQ(reused(), 0u);
-  request_.target.tolerance = 12;
+  request_.target.tolerance = 4;
   EXPECT_EQ(reused(), 0u);
   // A glyph that forces a coarser grid on all.
   change({{"do", "transform"}, {"glyph", "F"}, {"matrix", {{"scale", 7}}}});
