@@ -381,8 +381,8 @@ void run(Arguments& arguments, const CLI::App& app) {
   if (app.count("--chars") == 0) {
     arguments.request.symbols += "0123456789:";
   }
-  if (app.count("--morph") == 0 && arguments.scene == "clock") {
-    arguments.request.morphs = {scenes::ClockScene::kMorphs};
+  if (app.count("--morph") == 0 && !kind.morphs.empty()) {
+    arguments.request.morphs = {std::string(kind.morphs)};
   }
   if (arguments.scene == "icons" && !arguments.text) {
     arguments.request.svg_folders.emplace_back(INKCELL_SCENE_ICONS);

@@ -157,8 +157,13 @@ class ScenePlayer : public Player {
 template <typename Scene>
 SceneKind kind_of(std::string_view name,
                   std::string_view what,
-                  std::string_view takes) {
-  return {name, what, Scene::kText, takes,
+                  std::string_view takes,
+                  std::string_view morphs = {}) {
+  return {name,
+          what,
+          Scene::kText,
+          takes,
+          morphs,
           [](const Font& font, std::string_view text, int width,
              int height) -> std::unique_ptr<Player> {
             return std::make_unique<ScenePlayer<Scene>>(font, text, width,
@@ -173,7 +178,8 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::PathScene>("path", "letters on a wave",
                                  "a line of up to 24 letters"),
       kind_of<scenes::ClockScene>("clock", "digits that become others",
-                                  "a time, H:MM or HH:MM"),
+                                  "a time, H:MM or HH:MM",
+                                  scenes::ClockScene::kMorphs),
       kind_of<scenes::ParticleScene>(
           "particles", "a word bursts and becomes another", "two words"),
       kind_of<scenes::BodyScene>("figure13", "soft letters fall in a heap",

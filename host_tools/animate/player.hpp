@@ -46,6 +46,8 @@ struct SceneKind {
   std::string_view what;
   std::string_view text;   // the default
   std::string_view takes;  // what may be its text
+  std::string_view
+      morphs;  // pairs that text is best with, as --morph takes them
   std::unique_ptr<Player> (*make)(const Font& font,
                                   std::string_view text,
                                   int width,

@@ -16,9 +16,11 @@ namespace inkcell::tools {
 struct FontWish {
   std::string coding;
   std::string text;
+  std::string morphs;  // pairs that it holds, as --morph takes them
 
   bool operator==(const FontWish& other) const {
-    return coding == other.coding && text == other.text;
+    return coding == other.coding && text == other.text &&
+           morphs == other.morphs;
   }
 };
 

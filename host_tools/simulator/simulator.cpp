@@ -37,17 +37,20 @@ const Font* Simulator::font_for(const FontWish& wish) {
   FontWish wanted = wish;
   if (known != fonts_.end()) {
     const Made& made = known->second;
-    if (was_asked(made.rom.font(), made.text, wish.text)) {
+    if (wanted.morphs.empty()) {
+      wanted.morphs = made.wish.morphs;
+    }
+    if (wanted.morphs == made.wish.morphs &&
+        was_asked(made.rom.font(), made.wish.text, wish.text)) {
       return &made.rom.font();
     }
-    wanted.text = made.text + wish.text;
+    wanted.text = made.wish.text + wish.text;
   }
   std::optional<RomFile> rom = make_font_(wanted);
   if (!rom) {
     return nullptr;
   }
-  return &fonts_
-              .insert_or_assign(wish.coding, Made{std::move(*rom), wanted.text})
+  return &fonts_.insert_or_assign(wish.coding, Made{std::move(*rom), wanted})
               .first->second.rom.font();
 }
 
@@ -59,7 +62,7 @@ bool Simulator::open_stage() {
     return true;
   }
   if (settings.scene == kTextScene) {
-    font_ = font_for({settings.coding, settings.text});
+    font_ = font_for({settings.coding, settings.text, {}});
     if (font_ != nullptr) {
       stage_ = make_text_stage(settings, *font_);
     }
@@ -70,7 +73,8 @@ bool Simulator::open_stage() {
       kinds.begin(), kinds.end(),
       [&](const SceneKind& scene) { return scene.name == settings.scene; });
   if (settings.board.empty()) {
-    font_ = font_for({"outline", settings.text + kDigits});
+    font_ = font_for(
+        {"outline", settings.text + kDigits, std::string(kind.morphs)});
     if (font_ == nullptr) {
       return false;
     }

@@ -58,7 +58,7 @@ class Simulator {
   FontMaker make_font_;
   struct Made {
     RomFile rom;
-    std::string text;  // whose characters it was made for
+    FontWish wish;
   };
   std::map<std::string, Made> fonts_;  // by coding
   std::optional<Font> board_font_;

@@ -46,8 +46,8 @@ std::optional<RomFile> take_in_time(FontWorker& worker, const FontWish& wish) {
   return std::nullopt;
 }
 
-const FontWish kOutline = {"outline", "ab"};
-const FontWish kField = {"field", "ab"};
+const FontWish kOutline = {"outline", "ab", ""};
+const FontWish kField = {"field", "ab", ""};
 
 TEST(FontWorker, MakesWhileTheCallerGoesOn) {
   Gate gate;

@@ -1,11 +1,8 @@
 // inkcell-simulator: the displays of the boards in a window.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <map>
-#include <string_view>
 
-#include "clock_scene.hpp"
 #include "convert.hpp"
 #include "program.hpp"
 #include "script.hpp"
@@ -49,14 +46,8 @@ RomFile make_font(const std::string& file,
   conversion.request.target.coding =
       wish.coding == "outline" ? gen::Coding::outline : gen::Coding::field;
   conversion.request.progress = progress;
-  // Pairs for the scene `clock`, where its digits are asked for.
-  const auto is_asked = [&wish](char digit) {
-    return wish.text.find(digit) != std::string::npos;
-  };
-  const std::string_view digits = "0123456789";
-  if (wish.coding == "outline" && conversion.request.morphs.empty() &&
-      std::all_of(digits.begin(), digits.end(), is_asked)) {
-    conversion.request.morphs = {scenes::ClockScene::kMorphs};
+  if (conversion.request.morphs.empty() && !wish.morphs.empty()) {
+    conversion.request.morphs = {wish.morphs};
   }
   RomFile rom = load_font_file(file, conversion, wish.text);
   if (coding_name(rom.font()) != wish.coding) {
@@ -134,8 +125,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
                           arguments.save.empty();
   FontWorker worker([&](const FontWish& wish,
                         const FontWorker::Progress& progress) {
-    return make_font(arguments.font, conversion,
-                     {wish.coding, wish.text + common_characters()}, progress);
+    return make_font(
+        arguments.font, conversion,
+        {wish.coding, wish.text + common_characters(), wish.morphs}, progress);
   });
   Simulator simulator([&](const FontWish& wish) {
     return has_window ? worker.take(wish)
