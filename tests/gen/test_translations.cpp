@@ -182,6 +182,24 @@ TEST_F(Translations, OfTables) {
   EXPECT_EQ(shown[1].text[1].line, 5);
 }
 
+TEST_F(Translations, HeadersAreFoundByTheirWholeName) {
+  EXPECT_EQ(texts("a.po", R"(msgid ""
+msgstr ""
+"X-Source-Language: en\n"
+"Language: de\n"
+
+msgctxt "empty"
+msgid ""
+msgstr "x"
+)"),
+            (Texts{{"de", "x"}}));
+}
+
+TEST_F(Translations, ColumnsAndNumbersOfTables) {
+  EXPECT_EQ(texts("a.csv", "key,PT-br,zh_hans,FR\nk,\\xC3\\xA9,b,c\n"),
+            (Texts{{"pt-BR", "\xC3\xA9"}, {"zh-Hans", "b"}, {"fr", "c"}}));
+}
+
 TEST_F(Translations, WrongFilesNameTheLine) {
   check_refused("a.po", "msgid \"a\"\nmsgstr \"b\n",
                 "2: there is no quotation mark at the end");
@@ -271,6 +289,7 @@ TEST(LanguageNames, AreTagsOrNone) {
   EXPECT_EQ(language_of_path("de/LC_MESSAGES/tools.po"), "de");
   EXPECT_EQ(language_of_path("de/values/strings.xml"), "");
   EXPECT_EQ(language_of_path("/texts/strings.json"), "");
+  EXPECT_EQ(language_of_path("fw/i18n/german.json"), "");
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
 
 SourceFont load_source(const GenerateRequest& request,
                        const std::vector<NamedString>& strings,
+                       AskedCharacters& asked,
                        Warnings& warnings) {
   const std::vector<IconFile> icons =
       find_icons(request.svg_files, request.svg_folders);
@@ -93,7 +94,8 @@ SourceFont load_source(const GenerateRequest& request,
     first.face = request.face;
     first.instance = request.instance;
     first.axes = request.axes;
-    first.characters = characters_of(request).all;
+    asked = characters_of(request);
+    first.characters = asked.all;
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = true;
@@ -131,8 +133,10 @@ void tell_of_kerning(RomContent& content,
 
 void generate_part(const GenerateRequest& request, GlyphPart part) {
   check_request(request);
+  AskedCharacters asked;
   Warnings warnings;  // generate() gives them
-  const SourceFont font = load_source(request, strings_of(request), warnings);
+  const SourceFont font =
+      load_source(request, strings_of(request), asked, warnings);
   build_part(font, request, part);
 }
 
@@ -141,7 +145,8 @@ RomFont generate(const GenerateRequest& request) {
   check_request(request);
   RomFont rom;
   const std::vector<NamedString> strings = strings_of(request);
-  SourceFont font = load_source(request, strings, rom.warnings);
+  AskedCharacters asked;
+  SourceFont font = load_source(request, strings, asked, rom.warnings);
   if (request.strict && !font.missing.empty()) {
     refuse_missing(request, font.file_name, font.missing);
   }
@@ -163,10 +168,7 @@ RomFont generate(const GenerateRequest& request) {
   content.options.tolerance = request.target.tolerance;
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
-  if (!request.strings_from.empty()) {
-    rom.report.languages =
-        report_languages(font, characters_of(request), rom.report);
-  }
+  rom.report.languages = report_languages(font, asked, rom.report);
   tell_of_errors(rom.report, request.tolerance_is_limit, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)

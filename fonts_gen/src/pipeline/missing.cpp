@@ -12,7 +12,7 @@ namespace {
 // Characters that the error names.
 constexpr size_t kListedCharacters = 10;
 
-std::string place_of_line(const std::string& file, std::ptrdiff_t line) {
+std::string place_of_line(const std::string& file, int line) {
   return file + ":" + std::to_string(line) + ": ";
 }
 
@@ -23,8 +23,7 @@ std::string place_in_text(const std::filesystem::path& file, char32_t c) {
   if (found == std::string::npos) {
     return "";
   }
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(found);
-  return place_of_line(file.string(), 1 + std::count(text.begin(), end, '\n'));
+  return place_of_line(file.string(), line_at(text, found));
 }
 
 // The same of a source or a translation.

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "svg/trimmed.hpp"
+#include "base/trimmed.hpp"
 
 namespace inkcell::gen {
 namespace {

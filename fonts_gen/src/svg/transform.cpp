@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "base/trimmed.hpp"
 #include "shape/points.hpp"
-#include "svg/trimmed.hpp"
 
 namespace inkcell::gen {
 namespace {

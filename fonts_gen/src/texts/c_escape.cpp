@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "source/char_set.hpp"
+
 namespace inkcell::gen {
 namespace {
 
@@ -66,6 +68,11 @@ std::optional<Escape> read_escape(std::string_view& text) {
   }
   text.remove_prefix(1);
   return Escape{static_cast<char32_t>(kValues[found]), false};
+}
+
+std::string bytes_of(const Escape& escape) {
+  return escape.is_unit ? std::string(1, static_cast<char>(escape.value))
+                        : to_utf8(escape.value);
 }
 
 }  // namespace inkcell::gen

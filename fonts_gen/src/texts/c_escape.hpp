@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace inkcell::gen {
@@ -17,5 +18,8 @@ struct Escape {
 /// Reads the escape sequence after a backslash from the front of `text`.
 /// Nothing, and `text` untouched, if C and C++ do not have it.
 std::optional<Escape> read_escape(std::string_view& text);
+
+/// What an escape sequence adds to a string of UTF-8.
+std::string bytes_of(const Escape& escape);
 
 }  // namespace inkcell::gen

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/error.hpp"
 #include "source/char_set.hpp"
 #include "texts/c_escape.hpp"
 
@@ -64,8 +63,8 @@ class Literal {
       const int line = lines_[bytes_.size() - rest.size()];
       const auto c = read_utf8(rest);
       if (!c && is_written_) {
-        throw Error(file_ + ":" + std::to_string(line) +
-                    ": the string is not UTF-8; save the source as UTF-8");
+        refuse(file_, line,
+               "the string is not UTF-8; save the source as UTF-8");
       }
       if (!c) {
         found.clear();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "source/char_set.hpp"
+#include "base/trimmed.hpp"
 #include "texts/c_escape.hpp"
 #include "texts/language_name.hpp"
 
@@ -103,6 +103,28 @@ class CsvReader {
   std::vector<int> begins_;
 };
 
+// Names of columns as language_tag() reads them: PT-br is pt-BR, zh_hans is
+// zh-Hans.
+std::string in_usual_case(std::string_view name) {
+  std::string usual;
+  bool is_first_part = true;
+  while (!name.empty()) {
+    const size_t end = std::min(name.find_first_of("-_"), name.size());
+    for (size_t i = 0; i < end; ++i) {
+      const bool is_upper =
+          !is_first_part && (end == 2 || (end == 4 && i == 0));
+      const bool is_letter = (name[i] | 0x20) >= 'a' && (name[i] | 0x20) <= 'z';
+      usual += static_cast<char>(!is_letter ? name[i]
+                                 : is_upper ? name[i] & ~0x20
+                                            : name[i] | 0x20);
+    }
+    usual += end < name.size() ? "-" : "";
+    name.remove_prefix(std::min(end + 1, name.size()));
+    is_first_part = false;
+  }
+  return usual;
+}
+
 // A backslash that begins no escape of C is one that is shown.
 void add_cell(std::string_view cell,
               int line,
@@ -113,7 +135,7 @@ void add_cell(std::string_view cell,
     const char c = cell[0];
     cell.remove_prefix(1);
     const auto escape = c == '\\' ? read_escape(cell) : std::nullopt;
-    shown += escape ? to_utf8(escape->value) : std::string(1, c);
+    shown += escape ? bytes_of(*escape) : std::string(1, c);
     if (c == '\n') {
       add_shown(shown, line++, file, out);
       shown.clear();
@@ -131,12 +153,7 @@ std::vector<LanguageText> read_csv_file(std::string_view content,
   std::vector<LanguageText> columns(names.size());
   bool has_language = false;
   for (size_t i = 1; i < names.size(); ++i) {
-    const size_t end = names[i].find_last_not_of(" \r");
-    const size_t begin = names[i].find_first_not_of(' ');
-    if (end != std::string::npos) {
-      columns[i].language =
-          language_tag(names[i].substr(begin, end + 1 - begin));
-    }
+    columns[i].language = language_tag(in_usual_case(trimmed(names[i])));
     has_language = has_language || !columns[i].language.empty();
   }
   if (!has_language) {

@@ -83,8 +83,8 @@ std::string language_of_path(const std::filesystem::path& file) {
     constexpr std::string_view kAndroid = "values-";
     const bool is_android = name.rfind(kAndroid, 0) == 0;
     tag = language_tag(is_android ? name.substr(kAndroid.size()) : name);
-    if (is_android || name == "values") {
-      break;
+    if (name != "LC_MESSAGES") {
+      break;  // folders above are not of translations
     }
   }
   return tag;

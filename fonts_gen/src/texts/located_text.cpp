@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "source/char_set.hpp"
+#include "texts/c_escape.hpp"
 
 namespace inkcell::gen {
 
@@ -20,6 +21,33 @@ void add_shown(std::string_view text,
       out.push_back({*c, line});
     }
   }
+}
+
+std::string unquoted(std::string_view text, const std::string& file, int line) {
+  std::string bytes;
+  text.remove_prefix(1);
+  while (!text.empty() && text[0] != '"') {
+    const char c = text[0];
+    text.remove_prefix(1);
+    if (c != '\\') {
+      bytes += c;
+      continue;
+    }
+    const auto escape = read_escape(text);
+    if (!escape) {
+      refuse(file, line,
+             "a backslash is followed by no escape sequence of C; write "
+             "\\\\ for a backslash");
+    }
+    bytes += bytes_of(*escape);
+  }
+  if (text != "\"") {
+    refuse(file, line,
+           text.empty() ? "there is no quotation mark at the end; add it"
+                        : "something follows the last quotation mark; write "
+                          "\\\" for one that is shown");
+  }
+  return bytes;
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {

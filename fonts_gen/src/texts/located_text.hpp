@@ -29,6 +29,10 @@ void add_shown(std::string_view text,
                const std::string& file,
                LocatedText& out);
 
+/// The bytes of a string in quotation marks, whose escapes of C are read.
+/// Throws Error, which names `file` and `line`.
+std::string unquoted(std::string_view text, const std::string& file, int line);
+
 /// A text without the mark that may begin a file of UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "source/char_set.hpp"
-#include "texts/c_escape.hpp"
+#include "base/trimmed.hpp"
 #include "texts/language_name.hpp"
 
 namespace inkcell::gen {
@@ -29,22 +28,10 @@ struct PoString {
 struct PoMessage {
   std::vector<PoString> ids;           // msgid and msgid_plural
   std::vector<PoString> translations;  // msgstr, or msgstr[0] and so on
+  bool has_context = false;
   bool is_fuzzy = false;
   int line = 0;
 };
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-void trim(std::string_view& text) {
-  while (!text.empty() && is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-}
 
 // The value of a line of the header.
 std::string header_value(const std::string& header, const std::string& name) {
@@ -53,10 +40,9 @@ std::string header_value(const std::string& header, const std::string& name) {
     return "";
   }
   begin += name.size();
-  std::string_view value = std::string_view(header).substr(
+  const std::string_view value = std::string_view(header).substr(
       begin, header.find_first_of("\n;", begin) - begin);
-  trim(value);
-  return std::string(value);
+  return std::string(trimmed(value));
 }
 
 std::string lower(std::string text) {
@@ -74,11 +60,10 @@ class PoReader {
   std::string read(std::string_view content) {
     while (!content.empty()) {
       const size_t end = std::min(content.find('\n'), content.size());
-      std::string_view line = content.substr(0, end);
+      const std::string_view line = content.substr(0, end);
       content.remove_prefix(std::min(end + 1, content.size()));
       ++line_;
-      trim(line);
-      read_line(line);
+      read_line(trimmed(line));
     }
     end_message();
     return language_;
@@ -107,14 +92,13 @@ class PoReader {
       refuse(file_, line_,
              "a string without msgid or msgstr before it; write one there");
     }
-    string_->parts.push_back({unquoted(line), line_});
+    string_->parts.push_back({unquoted(line, file_, line_), line_});
   }
 
   // Takes the keyword off, and opens a string.
   void read_keyword(std::string_view& line) {
     const size_t end = std::min(line.find('"'), line.size());
-    std::string_view word = line.substr(0, end);
-    trim(word);
+    const std::string_view word = trimmed(line.substr(0, end));
     line.remove_prefix(end);
     if (word == "msgctxt" || word == "msgid") {
       if (!message_.translations.empty()) {
@@ -126,6 +110,7 @@ class PoReader {
       }
     }
     if (word == "msgctxt") {
+      message_.has_context = true;
       string_ = &(context_ = PoString());
     } else if (word == "msgid" || word == "msgid_plural") {
       message_.line = word == "msgid" ? line_ : message_.line;
@@ -149,35 +134,6 @@ class PoReader {
     }
   }
 
-  std::string unquoted(std::string_view text) const {
-    std::string bytes;
-    text.remove_prefix(1);
-    while (!text.empty() && text[0] != '"') {
-      const char c = text[0];
-      text.remove_prefix(1);
-      if (c != '\\') {
-        bytes += c;
-        continue;
-      }
-      const auto escape = read_escape(text);
-      if (!escape) {
-        refuse(file_, line_,
-               "a backslash is followed by no escape sequence of C; write "
-               "\\\\ for a backslash");
-      }
-      bytes += escape->is_unit
-                   ? std::string(1, static_cast<char>(escape->value))
-                   : to_utf8(escape->value);
-    }
-    if (text != "\"") {
-      refuse(file_, line_,
-             text.empty() ? "there is no quotation mark at the end; add it"
-                          : "something follows the last quotation mark; write "
-                            "\\\" for one that is shown");
-    }
-    return bytes;
-  }
-
   void end_message() {
     string_ = nullptr;
     PoMessage message;
@@ -189,7 +145,7 @@ class PoReader {
       refuse(file_, message.line,
              "a msgid without msgstr; write msgstr \"\" after it");
     }
-    if (message.ids[0].text().empty()) {
+    if (!message.has_context && message.ids[0].text().empty()) {
       read_header(message);
       return;
     }
@@ -210,8 +166,8 @@ class PoReader {
   }
 
   void read_header(const PoMessage& message) {
-    const std::string header = message.translations[0].text();
-    language_ = language_tag(header_value(header, "Language:"));
+    const std::string header = "\n" + message.translations[0].text();
+    language_ = language_tag(header_value(header, "\nLanguage:"));
     const std::string charset = lower(header_value(header, "charset="));
     if (charset != "" && charset != "charset" && charset != "utf-8" &&
         charset != "utf8" && charset != "ascii" && charset != "us-ascii") {

@@ -4,22 +4,13 @@
 #include <cstddef>
 #include <string_view>
 
-#include "base/error.hpp"
 #include "base/identifier.hpp"
+#include "base/trimmed.hpp"
 #include "source/char_set.hpp"
-#include "texts/c_escape.hpp"
 #include "texts/located_text.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos
-             ? std::string_view()
-             : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
 
 // Subtags of 1 to 8 letters and digits; the first one has letters only.
 bool is_language(std::string_view tag) {
@@ -59,8 +50,7 @@ class LineParser {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(string_.file + ":" + std::to_string(string_.line_number) +
-                ": " + what);
+    gen::refuse(string_.file, string_.line_number, what);
   }
 
  private:
@@ -109,7 +99,8 @@ class LineParser {
       refuse("'" + string_.name + "' has no text; write \"\" for an empty one");
     }
     const std::string bytes =
-        text[0] == '"' ? unquoted(text) : std::string(text);
+        text[0] == '"' ? unquoted(text, string_.file, string_.line_number)
+                       : std::string(text);
     std::string_view rest = bytes;
     while (!rest.empty()) {
       const auto c = read_utf8(rest);
@@ -124,33 +115,6 @@ class LineParser {
     }
   }
 
-  std::string unquoted(std::string_view text) const {
-    std::string out;
-    text.remove_prefix(1);
-    while (!text.empty() && text[0] != '"') {
-      const char c = text[0];
-      text.remove_prefix(1);
-      if (c != '\\') {
-        out += c;
-        continue;
-      }
-      const auto escape = read_escape(text);
-      if (!escape) {
-        refuse(
-            "a backslash is followed by no escape sequence of C; write "
-            "\\\\ for a backslash");
-      }
-      out += escape->is_unit ? std::string(1, static_cast<char>(escape->value))
-                             : to_utf8(escape->value);
-    }
-    if (text != "\"") {
-      refuse(text.empty() ? "there is no quotation mark at the end"
-                          : "something follows the last quotation mark; write "
-                            "\\\" for one that is shown");
-    }
-    return out;
-  }
-
   NamedString string_;
 };
 
@@ -158,9 +122,9 @@ void check_new(const NamedString& string,
                const std::vector<NamedString>& others) {
   for (const NamedString& other : others) {
     if (other.name == string.name) {
-      throw Error(string.file + ":" + std::to_string(string.line_number) +
-                  ": '" + string.name + "' is defined in " + other.file + ":" +
-                  std::to_string(other.line_number) + ", too; rename one");
+      refuse(string.file, string.line_number,
+             "'" + string.name + "' is defined in " + other.file + ":" +
+                 std::to_string(other.line_number) + ", too; rename one");
     }
   }
 }

@@ -28,9 +28,17 @@ class XmlFile {
     }
   }
 
+  // From the last node on that was asked for: most nodes follow it.
   int line_of(pugi::xml_node node) const {
-    return line_at(content_, static_cast<size_t>(
-                                 std::max<ptrdiff_t>(node.offset_debug(), 0)));
+    const auto at =
+        static_cast<size_t>(std::max<ptrdiff_t>(node.offset_debug(), 0));
+    if (at < known_at_) {
+      known_at_ = 0;
+      known_line_ = 1;
+    }
+    known_line_ += line_at(content_.substr(known_at_), at - known_at_) - 1;
+    known_at_ = at;
+    return known_line_;
   }
 
   // The root, which shall have this name.
@@ -79,6 +87,8 @@ class XmlFile {
   const std::string& file_;
   std::string_view content_;
   pugi::xml_document document_;
+  mutable size_t known_at_ = 0;
+  mutable int known_line_ = 1;
 };
 
 // Escapes of Android: a backslash and a character, or \u and four digits.

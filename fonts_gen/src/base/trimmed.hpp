@@ -1,4 +1,4 @@
-// Trims the text of an attribute.
+// Trims a text.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace inkcell::gen {
 /// `text` without the characters of `blanks` at both ends. A view of `text`,
 /// which must outlive it.
 inline std::string_view trimmed(std::string_view text,
-                                std::string_view blanks) {
+                                std::string_view blanks = " \t\r") {
   const size_t begin = text.find_first_not_of(blanks);
   return begin == std::string_view::npos
              ? text.substr(0, 0)
