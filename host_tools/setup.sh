@@ -12,7 +12,7 @@
 #
 # Installs missing packages as root or through sudo. If neither is allowed,
 # prints the command and ends the calling script. The test build.debian_packages
-# fails if a list lacks a package.
+# fails if the list demo or tests lacks a package, tests/web.sh if web does.
 
 inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev

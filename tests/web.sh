@@ -46,7 +46,8 @@ has() {
   }
 }
 
-if has emcc 'the generator, the npm package and the page'; then
+made='the generator, the npm package and the page'
+if has emcc "$made" && has zopfli "$made"; then
   sh host_tools/playground/build.sh
   sh fonts_gen/web/pack.sh
   [ -f build/host/build.ninja ] || cmake --preset host -DINKCELL_JOIN_FOLDERS=ON

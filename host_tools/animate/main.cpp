@@ -188,10 +188,7 @@ Output open_sheet(const std::string& file, Size size, int frames) {
   return {[=](const Image& frame, uint32_t) {
             const int x = *count % columns * (size.width + kGap);
             const int y = *count / columns * (size.height + kGap);
-            for (int row = 0; row < size.height; ++row) {
-              std::memcpy(sheet->at(x, y + row), frame.at(0, row),
-                          static_cast<size_t>(size.width) * 3);
-            }
+            paste(frame, x, y, *sheet);
             ++*count;
           },
           [=] { write_image(file, *sheet); }};
@@ -331,10 +328,7 @@ void play_reel(const Arguments& arguments, const Font& font, Size size) {
       const Image frame = draw_frame(*players[k], memory, arguments.rows);
       const int x = static_cast<int>(k) % kReelColumns * frame.width;
       const int y = static_cast<int>(k) / kReelColumns * frame.height;
-      for (int row = 0; row < frame.height; ++row) {
-        std::memcpy(whole.at(x, y + row), frame.at(0, row),
-                    static_cast<size_t>(frame.width) * 3);
-      }
+      paste(frame, x, y, whole);
     }
     output.add(arguments.zoom == 1 ? whole : enlarge(whole, arguments.zoom),
                number);

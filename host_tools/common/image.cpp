@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -64,6 +65,13 @@ Image enlarge(const Image& image, int factor) {
     }
   }
   return result;
+}
+
+void paste(const Image& from, int x, int y, Image& to) {
+  for (int row = 0; row < from.height; ++row) {
+    const uint8_t* line = from.at(0, row);
+    std::copy(line, line + from.channels * from.width, to.at(x, y + row));
+  }
 }
 
 void invert(Image& image) {

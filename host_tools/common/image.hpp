@@ -32,6 +32,10 @@ struct Image {
 /// Every pixel as a square of `factor` x `factor` pixels.
 Image enlarge(const Image& image, int factor);
 
+/// Copies `from` to `to`, its upper left pixel at (x, y). Both have as
+/// many channels.
+void paste(const Image& from, int x, int y, Image& to);
+
 /// 255 - value, everywhere.
 void invert(Image& image);
 

@@ -37,13 +37,6 @@ Image colour_image(int width, int height, uint32_t colour) {
   return image;
 }
 
-void paste(const Image& from, int x, int y, Image& to) {
-  for (int row = 0; row < from.height; ++row) {
-    const uint8_t* line = from.at(0, row);
-    std::copy(line, line + 3 * from.width, to.at(x, y + row));
-  }
-}
-
 port::Rgb888Canvas canvas_of(Image& image, uint32_t colour) {
   Strip strip;
   strip.pixels = {image.pixels.data(), image.pixels.size()};

@@ -50,10 +50,6 @@ class Sheet {
 /// A picture of three channels, full of `colour`.
 Image colour_image(int width, int height, uint32_t colour);
 
-/// Copies `from` to `to`, its upper left pixel at (x, y). Both have three
-/// channels.
-void paste(const Image& from, int x, int y, Image& to);
-
 /// Draws in colour, with sub-pixels, on a picture of three channels.
 port::Rgb888Canvas canvas_of(Image& image, uint32_t colour);
 

@@ -59,7 +59,10 @@ inkcell_goal := $(.DEFAULT_GOAL)
 # $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>). Make
 # takes what follows a comma in the arguments as more parameters.
 inkcell_comma := ,
-inkcell_options = $(strip $(3)$(foreach more,4 5 6 7 8 9,$(if $($(more)),$(inkcell_comma)$($(more)))))
+inkcell_empty :=
+inkcell_space := $(inkcell_empty) $(inkcell_empty)
+inkcell_more = $(foreach more,4 5 6 7 8 9 10 11 12 13 14 15 16,$(if $($(more)),$(inkcell_comma)$($(more))))
+inkcell_options = $(strip $(subst $(inkcell_space)$(inkcell_comma),$(inkcell_comma),$(3)$(inkcell_more)))
 inkcell_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),hpp,)
 # The same as a source of C, whose array and size a header declares.
 inkcell_c_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),c,--header=$$(@:.c=.h))

@@ -31,8 +31,9 @@ def compile_source(source, target):
 def main():
     work, build, fontgen = (pathlib.Path(word).resolve() for word in sys.argv[1:])
     if shutil.which(CXX) is None:
-        print(f"there is no {CXX}; on Debian: apt-get install gcc-xtensa-lx106")
-        finish(1, [])
+        print(f"skipped: there is no {CXX}; on Debian: apt-get install "
+              "gcc-xtensa-lx106")
+        sys.exit(77)
     require(["g++", "qemu-system-xtensa"])
     shutil.rmtree(work, ignore_errors=True)
     (work / "fonts").mkdir(parents=True)
@@ -63,6 +64,8 @@ def main():
     sizes = run([CXX.replace("g++", "size"), program]).stdout.splitlines()[1].split()
     print(f"lx106: {len(sources)} sources; a program of {sizes[0]} bytes draws "
           f"{shown.stdout}")
+    if drawn.returncode != 0:
+        problems.append(f"this machine draws nothing: {drawn.stdout}")
     if (shown.returncode, shown.stdout) != (drawn.returncode, drawn.stdout):
         problems.append(f"it shows {shown.stdout} ({shown.returncode}), this machine "
                         f"{drawn.stdout} ({drawn.returncode})")

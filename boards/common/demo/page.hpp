@@ -19,7 +19,7 @@ inline constexpr uint32_t kPages = 3;
 /// and drawn one by one, so that a stored font still has a line's glyphs.
 ///
 /// no_glyph: the font lacks characters, and .notdef stands there. Others: as
-/// Fit::make(); nothing is shown.
+/// Fit::make(), lay_out() and display_write(); nothing is shown.
 Status show_page(const Font& font, uint32_t page) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME

@@ -19,6 +19,7 @@ class CountScene : public TextScene {
 
   /// bad_argument: the text is not a number of up to 9 digits.
   Status open() noexcept {
+    most_ = 0;
     for (size_t i = 0; i < text().size; ++i) {
       const char digit = text().data[i];
       if (digit < '0' || digit > '9' || i == 9) {

@@ -30,7 +30,9 @@ class HeightFit {
 
   struct Edge {
     int16_t at_u;
-    int16_t to;  // at most 40 px times the 4 em that a zone may be away
+    // At most 40 px times the 4 em that a zone may be away, and what
+    // part_zones() adds.
+    int16_t to;
   };
   struct Item {
     Edge edges[2];
@@ -49,8 +51,7 @@ class HeightFit {
       edges[1].to = static_cast<int16_t>(to + width);
     }
   };
-  // The limit without a bar: farther away than any, and more than twice as far
-  // as two bars can be apart.
+  // The limit without a bar: farther away than any.
   static constexpr int32_t kFar = INT16_MAX;
   // As an edge, in words: the smallest cores load those in one instruction.
   struct Limit {
@@ -224,7 +225,7 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
 inline void HeightFit::fit_end(Item& item) noexcept {
   find_room(item);
   const int32_t open = ceiling_.to - floor_.to;
-  if (open >= kFar / 2) {
+  if (floor_.to == -kFar || ceiling_.to == kFar) {
     return;
   }
   const int32_t whole_u = ceiling_.at_u - floor_.at_u;

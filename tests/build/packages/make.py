@@ -7,7 +7,7 @@ from toolchains import ROOT, run
 
 # Beside the whole Makefile: fonts before any goal, and a comma in their options.
 OF_C = """include $(INKCELL)/port/make/inkcell.mk
-$(eval $(call inkcell_c_font,in_c,$(FONT),--chars=0x20-0x2F,U+B0 --quiet))
+$(eval $(call inkcell_c_font,in_c,$(FONT),--chars=0x20-0x2F,U+B0,U+B1 --quiet))
 list: $(INKCELL_FONTS)/fonts/in_c.c
 	echo $(INKCELL_SOURCES)
 """
@@ -50,7 +50,7 @@ def build(work, _, fontgen):
     listed = call(*make, "-f", "of_c.mk", "INKCELL_LIBRARIES=c stored").split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
-    if "U+B0 --quiet" not in (fonts / "in_c.options").read_text():
+    if "U+B0,U+B1 --quiet" not in (fonts / "in_c.options").read_text():
         stop("options after a comma are lost")
     call("arm-none-eabi-gcc", *CPU, "-std=c99", "-c", fonts / "in_c.c", "-o",
          folder / "in_c.o")

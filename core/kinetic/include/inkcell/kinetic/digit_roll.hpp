@@ -26,7 +26,7 @@ inline constexpr uint16_t kBlank = 0xffff;
 
 /// Draws digits[0] moved up by a part of the cell's height, and digits[1],
 /// which follows it, below: glyphs, or kBlank. `at` is the left end of the
-/// cell's baseline. A part of 0 draws `from`.
+/// cell's baseline. A part of 0 draws digits[0].
 void draw_roll(const Painter& painter,
                const Face& face,
                const DigitCells& cells,
