@@ -25,6 +25,7 @@ HEADERS = ("CLI", "fribidi", "freetype2", "harfbuzz", "nlohmann", "png.h",
            "zconf.h", "zlib.h")
 PLACES = ("/usr/include", "/usr/include/x86_64-linux-gnu")
 MINGW = "x86_64-w64-mingw32-g++-posix"
+WINE = "wine"
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
@@ -78,11 +79,11 @@ def check_windows(work, fontgen):
                  "inkcell-fontgen"])
     if built.returncode != 0:
         return [built.stdout[-2000:]], 1
-    if shutil.which("wine") is None:
+    if shutil.which(WINE) is None:
         print("for Windows: linked, not run: there is no wine")
         return [], 1
     fonts = []
-    for name, command in (("windows", ["wine", pathlib.Path(folder) /
+    for name, command in (("windows", [WINE, pathlib.Path(folder) /
                                        "windows/inkcell-fontgen.exe"]),
                           ("here", [fontgen])):
         said = run([*command, f"--font={FONT}", "--chars=0x20-0x7E", "--format=bin",

@@ -51,8 +51,8 @@ class HeightFit {
       edges[1].to = static_cast<int16_t>(to + width);
     }
   };
-  // The limit without a bar: farther away than any.
-  static constexpr int32_t kFar = INT16_MAX;
+  // The limit without a bar: more than twice as far away as edges can be apart.
+  static constexpr int32_t kFar = 1 << 20;
   // As an edge, in words: the smallest cores load those in one instruction.
   struct Limit {
     int32_t at_u;  // unset where there is no bar
@@ -225,7 +225,7 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
 inline void HeightFit::fit_end(Item& item) noexcept {
   find_room(item);
   const int32_t open = ceiling_.to - floor_.to;
-  if (floor_.to == -kFar || ceiling_.to == kFar) {
+  if (open >= kFar / 2) {
     return;
   }
   const int32_t whole_u = ceiling_.at_u - floor_.at_u;

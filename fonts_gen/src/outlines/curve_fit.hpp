@@ -28,20 +28,6 @@ struct SampleSpan {
   size_t count;  // 2 or more
 };
 
-/// The line a + t d, t = 0..1.
-struct Chord {
-  Point a;
-  Point d;
-  double size = 0;  // |d|^2
-
-  double squared_distance(const Point& p) const {
-    const Point r = p - a;
-    double t = size > 0 ? dot(r, d) / size : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    const Point e = r - t * d;
-    return dot(e, e);
-  }
-};
 using ChordList = std::vector<Chord>;
 
 /// The distances of chains from samples of the source.

@@ -61,7 +61,7 @@ class CodeSearch {
 
  private:
   static uint64_t table_bits(int code_bits) {
-    return uint64_t{16} << code_bits;
+    return kEntryBits << code_bits;
   }
 
   OutlineCode code(Symbols symbols, int code_bits) const {
@@ -509,7 +509,7 @@ OutlineCode make_outline_code(const StepCounts& counts, size_t most_entries) {
   const std::optional<OutlineCode> several =
       make_table_code(counts, most_entries);
   const auto bits = [&counts](const OutlineCode& code) {
-    return stream_bits(counts, code) + 16 * code.table().size();
+    return stream_bits(counts, code) + kEntryBits * code.table().size();
   };
   return several && bits(*several) * 20 <= bits(single) * 19 ? *several
                                                              : single;

@@ -25,6 +25,9 @@ CodeSymbol symbol_of(const OutlineStep& step);
 /// Whether steps of `narrow` may be written by the word of `wide`.
 bool covers(const CodeSymbol& wide, const CodeSymbol& narrow);
 
+/// Of each entry of a table of code words.
+inline constexpr uint64_t kEntryBits = 16;
+
 /// A symbol and its word: the lowest `length` bits of `word`.
 struct CodeWord {
   CodeSymbol symbol;

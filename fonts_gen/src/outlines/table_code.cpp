@@ -320,7 +320,6 @@ OutlineCode code_of(const std::vector<Group>& groups,
 
 std::optional<OutlineCode> make_table_code(const StepCounts& counts,
                                            size_t most_entries) {
-  constexpr uint64_t kEntryBits = 16;
   std::vector<Group> groups;
   for (size_t i = 0; i < kStepClasses; ++i) {
     const ClassCounts& after = counts.after()[i];

@@ -53,16 +53,26 @@ inline Point middle(const Point& a, const Point& b) {
   return 0.5 * (a + b);
 }
 
+/// The line a + t d, t = 0..1.
+struct Chord {
+  Point a;
+  Point d;
+  double size = 0;  // |d|^2
+
+  double squared_distance(const Point& p) const {
+    const Point r = p - a;
+    double t = size > 0 ? dot(r, d) / size : 0;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    const Point e = r - t * d;
+    return dot(e, e);
+  }
+};
+
 inline double squared_distance_to_segment(const Point& p,
                                           const Point& a,
                                           const Point& b) {
   const Point d = b - a;
-  const Point r = p - a;
-  const double size = dot(d, d);
-  double t = size > 0 ? dot(r, d) / size : 0;
-  t = t < 0 ? 0 : t > 1 ? 1 : t;
-  const Point e = r - t * d;
-  return dot(e, e);
+  return Chord{a, d, dot(d, d)}.squared_distance(p);
 }
 
 }  // namespace gen
