@@ -207,7 +207,8 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::IconScene>("icons", "icons become others",
                                  "one to four pairs of icons that --morph "
                                  "pairs"),
-      kind_of<scenes::ChargeScene>("charge", "a number glows", "a short line"),
+      kind_of<scenes::ChargeScene>(
+          "charge", "a battery fills, its number glows", "1% to 100%"),
   };
   return kinds;
 }

@@ -11,6 +11,7 @@ namespace {
 struct Curve {
   Point p[3];
   bool is_line = false;
+  bool is_cut = false;
 };
 
 // A segment, by the number of the first point after its beginning.
@@ -95,6 +96,7 @@ class Track {
       out = part(to);
       from_ = to;
     } else {
+      out.is_cut = true;
       jump();
     }
     if (out.is_line) {
@@ -192,9 +194,6 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
   Bits bits(record);
   const int width = bits.u(4);
   std::vector<std::vector<Point>> out;
-  const auto mix = [progress](const Point& a, const Point& b) {
-    return (1 - progress) * a + progress * b;
-  };
   while (const int kind = bits.u(2)) {
     const int pieces = bits.u(7);
     Track a(first, bits, width);
@@ -209,12 +208,26 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
     } else {
       b.begin();
     }
-    std::vector<Point> polygon;
+    std::vector<std::pair<Curve, Curve>> read;
     for (int i = 0; i < pieces; ++i) {
       const Curve from = a.move();
-      const Curve to = b.move();
-      const Point p[3] = {mix(from.p[0], to.p[0]), mix(from.p[1], to.p[1]),
-                          mix(from.p[2], to.p[2])};
+      read.emplace_back(from, b.move());
+    }
+    std::vector<Point> polygon;
+    const size_t n = read.size();
+    // Cuts open after a quarter of the time, and close a quarter before its
+    // end.
+    const auto mix = [&](size_t piece, size_t other, size_t point) {
+      const auto& [from, to] = read[piece];
+      const double begin = from.is_cut || read[other].first.is_cut ? 0.125 : 0;
+      const double end = to.is_cut || read[other].second.is_cut ? 0.875 : 1;
+      const double part =
+          std::min(std::max((progress - begin) / (end - begin), 0.0), 1.0);
+      return (1 - part) * from.p[point] + part * to.p[point];
+    };
+    for (size_t i = 0; i < n; ++i) {
+      const Point p[3] = {mix(i, (i + n - 1) % n, 0), mix(i, i, 1),
+                          mix(i, (i + 1) % n, 2)};
       for (int k = 0; k < chords; ++k) {
         const double t = static_cast<double>(k) / chords;
         polygon.push_back((1 - t) * (1 - t) * p[0] + 2 * t * (1 - t) * p[1] +
@@ -222,7 +235,7 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
       }
     }
     // A piece begins where the one before ends, the first where the last does.
-    if (length(mix(a.at, b.at) - polygon.front()) > 1e-6) {
+    if (length(mix(n - 1, 0, 2) - polygon.front()) > 1e-6) {
       polygon.clear();
     }
     out.push_back(std::move(polygon));

@@ -271,15 +271,51 @@ Contour triangle(double x, double y) {
   return polygon({{x, y}, {x + 300, y}, {x, y + 300}});
 }
 
+// How far the cuts of two contours that were one are apart, at their ends. [u]
+double gap_between_parts(const MorphPair& pair, double progress) {
+  std::vector<Point> ends;
+  const MorphPolygons polygons = morph_polygons(pair, progress, 1);
+  for (size_t i = 0; i < pair.contours.size(); ++i) {
+    const auto& pieces = pair.contours[i].pieces;
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      if (pieces[k].side[1].move == MorphMove::jump) {
+        ends.push_back(polygons[i][k]);
+        ends.push_back(polygons[i][(k + 1) % pieces.size()]);
+      }
+    }
+  }
+  EXPECT_EQ(ends.size(), 4u);
+  // One runs up, the other one down.
+  return std::max(length(ends[0] - ends[3]), length(ends[1] - ends[2]));
+}
+
+TEST(Morph, BoxesStayBoxes) {
+  const Outline low = outline({rectangle(0, 0, 100, 200)});
+  const Outline full = outline({rectangle(0, 0, 600, 200)});
+  const std::optional<MorphPair> pair = find_morph(low, full);
+  ASSERT_TRUE(pair);
+  const MorphPolygons half = morph_polygons(*pair, 0.5, 1);
+  ASSERT_EQ(half.size(), 1u);
+  ASSERT_EQ(half[0].size(), 4u);
+  for (const Point& p : half[0]) {
+    EXPECT_TRUE(p.x == 0 || p.x == 350) << p.x;
+    EXPECT_TRUE(p.y == 0 || p.y == 200) << p.y;
+  }
+}
+
 TEST(Morph, ContoursSplitAndJoin) {
-  // Two bars become one triangle, as pause becomes play.
+  // Two bars become one triangle, as pause becomes play: each bar is a part.
   const Outline pause =
       outline({rectangle(100, 0, 300, 700), rectangle(450, 0, 650, 700)});
   const Outline play = outline({polygon({{100, 0}, {700, 350}, {100, 700}})});
   const std::optional<MorphPair> pair = find_morph(pause, play);
   ASSERT_TRUE(pair);
-  EXPECT_EQ(pair->contours.size(), 1u);
+  ASSERT_EQ(pair->contours.size(), 2u);
   EXPECT_TRUE(quality_of(*pair).crossings.empty());
+  // The cut is closed for the last eighth of the time.
+  EXPECT_EQ(gap_between_parts(*pair, 1), 0);
+  EXPECT_EQ(gap_between_parts(*pair, 0.9), 0);
+  EXPECT_GT(gap_between_parts(*pair, 0.5), 20);
   // Two become two, the near ones each other.
   const Outline left = outline({triangle(0, 0), triangle(400, 0)});
   const Outline right = outline({triangle(420, 40), triangle(20, 40)});

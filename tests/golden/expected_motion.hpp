@@ -18,7 +18,7 @@ inline constexpr const char* kFigure15Hash =
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 inline constexpr const char* kCountHash =
-    "c7150ad53a4b7cfba5e66d1e563b71acea935e17d462e0e5b7c37baf468a18c8";
+    "ca0f00e70773326db7f67bfaab3070eabf79bad18a8dfbd247d0ce967802bb3b";
 inline constexpr const char* kTickerHash =
     "7df0d8825b834b6faf46cefdb9af60d5a2ae3fcd20877b4ad20522cb5a98d281";
 inline constexpr const char* kTypewriterHash =
@@ -28,6 +28,6 @@ inline constexpr const char* kWipeHash =
 inline constexpr const char* kBounceHash =
     "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
 inline constexpr const char* kSplashHash =
-    "f1d0fd574edf1112514786dcaa7492733f5d25cebc7b9850ed862c43172ccaeb";
+    "43e34e982ba13a598c0a2906b82b99b4ccef990bed6f7a12ebe995b13c5ea7f7";
 
 }  // namespace golden

@@ -138,9 +138,15 @@ class Animate(unittest.TestCase):
     def test_icons_morph_from_drawings(self):
         """The pairs of --svg and --morph, from files to frames."""
         out = pathlib.Path(self.folder.name) / "icons.png"
-        run("animate", "icons", "--size", "128x64", "--out", out)
+        stats = out.with_suffix(".json")
+        run("animate", "icons", "--size", "128x64", "--out", out, "--stats",
+            stats)
         frames = frames_of(out.read_bytes())
         self.assertGreater(len(set(frames)), 60)
+        changes = json.loads(stats.read_text())
+        self.assertEqual(changes["missed_pixels"], 0)
+        # None at rest.
+        self.assertLess(changes["dirty_pixels_mean"], 128 * 64 / 3)
         drawings = [pathlib.Path(self.folder.name) / name
                     for name in ("a.svg", "b.svg")]
         for drawing, path in zip(drawings, ("M4 4h16v16H4z", "M4 4h16v4H4z")):
@@ -161,6 +167,13 @@ class Animate(unittest.TestCase):
         message = run("animate", "icons", "--text", "\ue010", "--out", out,
                       code=1)
         self.assertIn("icons takes one to four pairs", message)
+
+    def test_charge_takes_a_percentage(self):
+        for text in ("0%", "101%", "72", "%", "7a%"):
+            out = run("animate", "charge", "--text", text, "--out",
+                      pathlib.Path(self.folder.name) / "c.png", code=1)
+            self.assertIn("charge takes 1% to 100%", out)
+        self.play("charge", "c.png", "--text", "100%", frames=2)
 
     def test_reel(self):
         out = pathlib.Path(self.folder.name) / "reel.gif"

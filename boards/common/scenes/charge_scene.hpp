@@ -1,7 +1,9 @@
-// Scene `charge`: a battery that is charged; its number glows.
+// Scene `charge`: a battery fills; its number rises and glows.
 #pragma once
 
+#include "inkcell/kinetic/easing.hpp"
 #include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/kinetic/timeline.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -13,40 +15,82 @@ class ChargeScene : public TextScene {
   static constexpr const char* kText = "72%";
 
   explicit ChargeScene(const SceneSetting& setting) noexcept
-      : TextScene(setting, setting.text, 110, 80) {}
+      : TextScene(setting, "100%", 130, 90) {}
 
-  /// bad_argument: the text has no ink.
-  Status open() noexcept { return status(); }
+  /// bad_argument: the text is not 1% to 100%.
+  Status open() noexcept {
+    most_ = 0;
+    Text rest = text();
+    for (;
+         rest.size > 1 && *rest.data >= '0' && *rest.data <= '9' && most_ <= 10;
+         rest = {rest.data + 1, rest.size - 1}) {
+      most_ = most_ * 10 + (*rest.data - '0');
+    }
+    return most_ >= 1 && most_ <= 100 && rest.size == 1 && *rest.data == '%'
+               ? status()
+               : Status::bad_argument;
+  }
 
-  void set_frame(uint32_t frame) noexcept { next(frame, screen()); }
+  void set_frame(uint32_t frame) noexcept {
+    const Rect glow = Painter().box(font(), Style(style().size(), kGlowFilter),
+                                    centred("100%"), "100%");
+    next(frame, bounding_box(glow, bounding_box(body(), pole())));
+  }
 
   void draw(const Paper& paper) const noexcept {
-    // A breath of 2.5 s, 0..256.
+    using namespace kinetic;
+    // It begins full, and fills again after it was emptied. A breath is 2.5 s.
+    const int32_t now = frame_ms(80, kLoopFrames / 2);
+    const int32_t level =
+        lerp(0, most_, ease(kEaseInOut, fraction(0, 2400, now))) -
+        lerp(0, most_, ease(kEaseInOut, fraction(4200, 4800, now)));
     const uint32_t turn = frame() % 75 * 65536 / 75;
     const int32_t breath =
-        128 - kinetic::cosine(Angle::from_raw(uint16_t(turn))).raw / 128;
+        128 - cosine(Angle::from_raw(uint16_t(turn))).raw / 128;
     paper.fill(0x06100c);
-    const int32_t unit = px(24) + 1;
-    const int32_t w = screen().x1;
-    const int32_t h = screen().y1;
-    const Rect body = {w / 2 - h * 5 / 8, h / 5, w / 2 + h * 5 / 8, h * 4 / 5};
-    paper.fill(0x3c5a4c, body);
-    paper.fill(0x3c5a4c, {body.x1, h * 2 / 5, body.x1 + 2 * unit, h * 3 / 5});
-    const Rect in = {body.x0 + unit, body.y0 + unit, body.x1 - unit,
-                     body.y1 - unit};
+    paper.fill(0x3c5a4c, body());
+    paper.fill(0x3c5a4c, pole());
+    const Rect in = {body().x0 + unit(), body().y0 + unit(), body().x1 - unit(),
+                     body().y1 - unit()};
     paper.fill(0x0a1a12, in);
     paper.fill(mix_rgb(0x124a2c, 0x1c7a46, breath),
-               {in.x0, in.y0, in.x0 + (in.x1 - in.x0) * 72 / 100, in.y1});
+               {in.x0, in.y0, in.x0 + (in.x1 - in.x0) * level / 100, in.y1});
+    char number[4];
+    size_t size = 0;
+    for (const int32_t part : {100, 10, 1}) {
+      if (level >= part || part == 1) {
+        number[size++] = static_cast<char>('0' + level / part % 10);
+      }
+    }
+    number[size++] = '%';
+    const Text line(number, size);
     const Painter glow = painter(paper, mix_rgb(0x1c6a40, 0x9dffca, breath));
-    glow.text(font(), Style(style().size(), kGlowFilter), origin(), text());
-    painter(paper, 0xf4fff8).text(font(), style(), origin(), text());
+    glow.text(font(), Style(style().size(), kGlowFilter), centred(line), line);
+    painter(paper, 0xf4fff8).text(font(), style(), centred(line), line);
   }
 
  private:
-  using Angle = kinetic::Angle;
   static constexpr Filter kGlowFilter =
       make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(1024),
                    Fixed<uint16_t, 8>::from_int(2)});
+
+  // Of the wall. [px]
+  int32_t unit() const noexcept { return px(16) + 1; }
+  // With the pole in the middle of the screen, twice as wide as high.
+  Rect body() const noexcept {
+    const int32_t w = screen().x1;
+    const int32_t h = screen().y1;
+    const int32_t half = (w * 3 < h * 5 ? w * 3 : h * 5) / 16;
+    return {w / 2 - 2 * half - unit(), h / 2 - half, w / 2 + 2 * half - unit(),
+            h / 2 + half};
+  }
+  Rect pole() const noexcept {
+    const Rect box = body();
+    const int32_t third = (box.y1 - box.y0) / 3;
+    return {box.x1, box.y0 + third, box.x1 + 2 * unit(), box.y1 - third};
+  }
+
+  int32_t most_ = 0;  // [percent]
 };
 
 }  // namespace scenes

@@ -31,8 +31,8 @@ class CountScene : public TextScene {
   }
 
   void set_frame(uint32_t frame) noexcept {
-    // It begins on its way up.
-    const int32_t now = time_of((frame + 25) % kFrames);
+    // It begins at rest.
+    const int32_t now = time_of((frame + 90) % kFrames);
     const bool is_up = now < kBackMs;
     counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
                   {is_up ? 0 : kBackMs, is_up ? 2600 : 700});
@@ -58,8 +58,8 @@ class CountScene : public TextScene {
   // Below the number.
   Rect bar() const noexcept {
     Rect bar = counter_.box();
-    bar.y0 = bar.y1;
-    bar.y1 += px(20);
+    bar.y0 = bar.y1 + px(16);
+    bar.y1 = bar.y0 + px(20);
     return bar;
   }
 

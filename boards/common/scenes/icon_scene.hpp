@@ -37,28 +37,43 @@ class IconScene : public TextScene {
     return count_ == 0 ? Status::bad_argument : status();
   }
 
-  void set_frame(uint32_t frame) noexcept { next(frame, screen()); }
+  void set_frame(uint32_t frame) noexcept {
+    const uint32_t last = this->frame();
+    Rect changed;
+    for (int32_t i = 0; i < count_; ++i) {
+      if (progress(i, last).raw != progress(i, frame).raw) {
+        changed = bounding_box(changed, cell(i));
+      }
+    }
+    next(frame, changed);
+  }
 
   void draw(const Paper& paper) const noexcept {
     paper.fill(0x101820);
     constexpr uint32_t kInks[] = {0x6bd3ff, 0x8ce06b, 0xffd25c, 0xff8a7a};
     for (int32_t i = 0; i < count_; ++i) {
-      // There, and back after half of the time.
-      const int32_t now = frame_ms(uint32_t(140 - 12 * i), 150);
-      const Q16_16 there =
-          kinetic::ease(kinetic::kEaseInOut, kinetic::fraction(0, 600, now));
-      const Q16_16 back = kinetic::ease(kinetic::kEaseInOut,
-                                        kinetic::fraction(2500, 3100, now));
       const int32_t advance =
           px(font().advance(pairs_[i].from()) * 256 / font().units_per_em());
-      const int32_t middle = screen().x1 * (2 * i + 1) / (2 * count_);
       pairs_[i].draw(painter(paper, kInks[i]), style(),
-                     {Q26_6::from_int(middle - advance / 2), origin().y},
-                     Q16_16::from_raw(there.raw - back.raw));
+                     {Q26_6::from_int((cell(i).x0 + cell(i).x1 - advance) / 2),
+                      origin().y},
+                     progress(i, frame()));
     }
   }
 
  private:
+  Rect cell(int32_t i) const noexcept {
+    const int32_t w = screen().x1;
+    return {w * i / count_, 0, w * (i + 1) / count_, screen().y1};
+  }
+  // There, and back after half of the time.
+  static Q16_16 progress(int32_t i, uint32_t frame) noexcept {
+    using namespace kinetic;
+    const int32_t now = time_of((frame + uint32_t(140 - 12 * i)) % 150);
+    return Q16_16::from_raw(ease(kEaseInOut, fraction(0, 600, now)).raw -
+                            ease(kEaseInOut, fraction(2500, 3100, now)).raw);
+  }
+
   kinetic::OutlineMorph pairs_[4];
   int32_t count_ = 0;
 };

@@ -19,7 +19,8 @@ class LettersScene : public TextScene {
                                            : "Inkcell";
 
   explicit LettersScene(const SceneSetting& setting) noexcept
-      : TextScene(setting, setting.text, 210, 90),
+      : TextScene(
+            setting, setting.text, kLetters == Letters::pulse ? 190 : 210, 90),
         renderer_(font(), style().size(), kFilterMotion, workspace()),
         letters_(renderer_, font(), run_, where_, motion_) {}
 
@@ -30,26 +31,36 @@ class LettersScene : public TextScene {
     constexpr StaggerOrder kOrder = kLetters == Letters::splash
                                         ? StaggerOrder::from_centre
                                         : StaggerOrder::forward;
-    constexpr int32_t kEach = kLetters == Letters::bounce  ? 620
-                              : kLetters == Letters::pulse ? 800
-                                                           : 1500;
-    keys_ = kLetters == Letters::bounce
-                ? hop(Q26_6::from_raw(size.raw / 2), kEach)
-                : swell(Q26_6::from_raw(size.raw / 24), kEach);
+    const kinetic::PoseThere there =
+        kLetters == Letters::bounce
+            ? hop(Q26_6::from_raw(size.raw / 2), 620)
+            : swell(Q26_6::from_raw(size.raw / 40), 800);
+    for (size_t i = 0; i < 3; ++i) {
+      keys_[i] = there.keys[i];
+    }
+    motion_.keys = {keys_, 3};
     if (kLetters == Letters::splash) {
-      // Gone in the middle: small, low and clear.
-      Pose& gone = keys_.keys[1].pose;
-      gone = Pose();
+      // Gone: small, low and clear.
+      Pose gone;
       gone.opacity = 0;
       gone.offset.y = Q26_6::from_raw(size.raw / 3);
       gone.scale_x = gone.scale_y = Scale::from_raw(2600);
-      keys_.keys[0].easing = kLeave;
-      keys_.keys[1].easing = kOvershoot;
+      keys_[0] = {0, Pose(), kLeave};
+      keys_[1] = {600, gone, {}};
+      keys_[2] = {1300, gone, kOvershoot};
+      keys_[3] = {1900, Pose(), {}};
+      motion_.keys = keys_;
     }
-    motion_ = {keys_.keys, {0, time_of(kFrames), 0}, {90, kOrder, 0}};
+    motion_.timing = {0, time_of(kFrames), 0};
+    motion_.stagger = {90, kOrder, 0};
     where_.size = size;
     where_.origin = origin();
     INKCELL_TRY(lay_out(font(), text(), Align::left, glyphs_, run_));
+    if (kLetters == Letters::pulse) {  // room for bold letters
+      where_.tracking.raw = size.raw / 16;
+      where_.origin.x.raw -= where_.tracking.raw *
+                             (static_cast<int32_t>(run_.glyphs.size) - 1) / 2;
+    }
     return status();
   }
 
@@ -74,7 +85,7 @@ class LettersScene : public TextScene {
   kinetic::RunGlyph glyphs_[24];
   kinetic::Run run_;
   kinetic::RunPlace where_;
-  kinetic::PoseThere keys_;
+  kinetic::PoseKey keys_[4];
   kinetic::LetterMotion motion_;
   kinetic::PoseRenderer renderer_;
   kinetic::MovingLetters letters_;

@@ -79,6 +79,7 @@ class Track {
   Vertex control;  // of the piece at hand
   Vertex at;       // its end
   bool is_line;
+  bool is_cut;  // it jumps
 
   void begin(const MorphOutline& outline, Bits& bits, uint32_t width) noexcept {
     outline_ = &outline;
@@ -121,6 +122,7 @@ class Track {
   void move(Bits& bits, uint32_t width) noexcept {
     const Vertex from = at;
     is_line = true;
+    is_cut = false;
     if (is_slit_) {
       set_fraction(bits.take(morphs::kEighthBits));
     } else if (bits.take(1) == 0) {
@@ -133,6 +135,7 @@ class Track {
       cut(static_cast<int32_t>(bits.take(morphs::kEighthBits)));
       return;
     } else {
+      is_cut = true;
       jump(bits, width);
     }
     control = middle(from, at);
@@ -220,13 +223,29 @@ int32_t slit_length(int32_t progress_q10) noexcept {
   return min(4 * progress_q10, 1024);
 }
 
-ScreenPoint mixed(const Vertex& a,
-                  const Vertex& b,
-                  int32_t progress_q10,
-                  uint32_t kind) noexcept {
-  const Vertex at = between(a, b, progress_q10, 10);
-  return ScreenPoint::at(at.x_q8, at.y_q8, kind);
+// The glyphs in which a piece is a cut, a bit each.
+uint32_t cuts_of(const Track& first, const Track& second) noexcept {
+  return (first.is_cut ? 1u : 0u) | (second.is_cut ? 2u : 0u);
 }
+
+// Ends of a cut wait for a quarter of the time, or arrive a quarter early: what
+// opens and closes moves fast.
+int32_t cut_progress(int32_t progress_q10, uint32_t cuts) noexcept {
+  const int32_t since = progress_q10 - ((cuts & 1) != 0 ? 128 : 0);
+  return cuts == 0   ? progress_q10
+         : cuts == 3 ? clamp(since * 1366 >> 10, 0, 1024)
+                     : clamp(since * 1171 >> 10, 0, 1024);
+}
+
+struct Ends {
+  Vertex first;
+  Vertex second;
+
+  ScreenPoint at(int32_t progress_q10, uint32_t kind) const noexcept {
+    const Vertex at = between(first, second, progress_q10, 10);
+    return ScreenPoint::at(at.x_q8, at.y_q8, kind);
+  }
+};
 
 }  // namespace
 
@@ -268,18 +287,32 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
     if (room < 0) {
       return nullptr;
     }
-    const ScreenPoint start = mixed(first.at, second.at, progress_q10, kStart);
-    *out++ = start;
+    ScreenPoint* const start = out++;
+    const Ends start_ends = {first.at, second.at};
+    uint32_t start_cuts = 0;
+    uint32_t last_cuts = 0;
     for (; pieces != 0; --pieces) {
+      // The joint between the last piece and this one is known now.
+      ScreenPoint& joint = out[-1];
+      const Ends ends = {first.at, second.at};
       first.move(bits, width);
       second.move(bits, width);
-      if (!first.is_line || !second.is_line) {
-        *out++ = mixed(first.control, second.control, progress_q10, kOffCurve);
+      const uint32_t cuts = cuts_of(first, second);
+      if (&joint == start) {
+        start_cuts = cuts;
       }
-      *out++ = mixed(first.at, second.at, progress_q10, kCorner);
+      joint = ends.at(cut_progress(progress_q10, last_cuts | cuts), kCorner);
+      if (!first.is_line || !second.is_line) {
+        *out++ = Ends{first.control, second.control}.at(
+            cut_progress(progress_q10, cuts), kOffCurve);
+      }
+      ++out;
+      last_cuts = cuts;
     }
     // Closed, whatever the record says.
-    out[-1] = {start.x_q8, (start.y_q8_kind & ~3) | int32_t{kCorner}};
+    const int32_t part = cut_progress(progress_q10, start_cuts | last_cuts);
+    *start = start_ends.at(part, kStart);
+    out[-1] = start_ends.at(part, kCorner);
   }
 }
 

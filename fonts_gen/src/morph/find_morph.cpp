@@ -429,6 +429,90 @@ void pair_nearest(const std::vector<Body>& first, std::vector<Body>& second) {
   }
 }
 
+// Two bodies that one is cut into.
+struct Halves {
+  std::vector<Body> bodies;
+  double cut = 0;   // its length [u]
+  double cost = 0;  // roughly
+};
+
+// Cuts the one body of `bodies` into those that become the two of `others`: the
+// best cuts, the shortest first. None: it has holes, or no chord through its
+// ink.
+std::vector<Halves> split(const std::vector<Body>& bodies,
+                          const std::vector<Body>& others) {
+  constexpr size_t kMostStops = 64;
+  constexpr size_t kMostSplits = 8;
+  std::vector<Halves> all;
+  if (bodies.size() != 1 || others.size() != 2 ||
+      !bodies.front().holes.empty()) {
+    return all;
+  }
+  const Loop& whole = bodies.front().outer;
+  std::vector<LoopStop> stops = stops_of(whole, 4);
+  for (int parts = 2; stops.size() > kMostStops && parts != 0; parts /= 2) {
+    stops = stops_of(whole, parts);
+  }
+  const MorphPolygons polygons = polygon_of(whole);
+  const auto is_inside = [&](const LoopStop& a, const LoopStop& b) {
+    return a.edge != b.edge &&
+           depth_at(polygons, 0.9 * a.at + 0.1 * b.at) > 1 &&
+           depth_at(polygons, middle(a.at, b.at)) > 1 &&
+           depth_at(polygons, 0.1 * a.at + 0.9 * b.at) > 1;
+  };
+  MatchOptions quick;
+  quick.parts = 1;
+  for (size_t i = 0; i < stops.size() && stops.size() <= kMostStops; ++i) {
+    for (size_t j = 0; j < stops.size(); ++j) {
+      if (is_inside(stops[i], stops[j])) {
+        Loop parts[2] = {part_between(whole, stops[i], stops[j]),
+                         part_between(whole, stops[j], stops[i])};
+        const double cut = length(stops[i].at - stops[j].at);
+        const double cost = match_loops(parts[0], others[0].outer, quick).cost +
+                            match_loops(parts[1], others[1].outer, quick).cost;
+        all.push_back({{{std::move(parts[0]), {}}, {std::move(parts[1]), {}}},
+                       cut,
+                       cost});
+      }
+    }
+  }
+  std::stable_sort(
+      all.begin(), all.end(),
+      [](const Halves& a, const Halves& b) { return a.cost < b.cost; });
+  all.resize(std::min(all.size(), kMostSplits));
+  std::stable_sort(
+      all.begin(), all.end(),
+      [](const Halves& a, const Halves& b) { return a.cut < b.cut; });
+  return all;
+}
+
+struct Morph {
+  std::optional<MorphPair> pair;
+  double cost = kInfinity;
+};
+
+// Of bodies of equal number, each with the one at its place.
+Morph morph_bodies(const std::vector<Body>& first,
+                   const std::vector<Body>& second) {
+  MorphPair whole;
+  double cost = 0;
+  for (size_t i = 0; i < first.size(); ++i) {
+    std::vector<Plan> plans = BodyMorph(first[i], second[i]).find();
+    if (plans.empty() || !plans.front().is_usable()) {
+      return {};
+    }
+    cost += plans.front().cost;
+    for (MorphContour& contour : plans.front().pair.contours) {
+      whole.contours.push_back(std::move(contour));
+    }
+  }
+  const MorphQuality quality = quality_of(whole);
+  if (!quality.crossings.empty() || quality.area_error > kMostAreaError) {
+    return {};
+  }
+  return {std::move(whole), cost};
+}
+
 }  // namespace
 
 std::optional<MorphPair> find_morph(const Outline& first,
@@ -437,27 +521,24 @@ std::optional<MorphPair> find_morph(const Outline& first,
   if (bodies[0].empty() || bodies[1].empty()) {
     return std::nullopt;
   }
+  Morph best;
+  for (size_t k = 0; k < 2; ++k) {
+    for (const Halves& halves : split(bodies[k], bodies[1 - k])) {
+      best = k == 0 ? morph_bodies(halves.bodies, bodies[1])
+                    : morph_bodies(bodies[0], halves.bodies);
+      if (best.pair) {
+        break;
+      }
+    }
+  }
   for (size_t k = 0; k < 2; ++k) {
     while (bodies[k].size() > bodies[1 - k].size()) {
       join_nearest(bodies[k]);
     }
   }
   pair_nearest(bodies[0], bodies[1]);
-  MorphPair whole;
-  for (size_t i = 0; i < bodies[0].size(); ++i) {
-    std::vector<Plan> plans = BodyMorph(bodies[0][i], bodies[1][i]).find();
-    if (plans.empty() || !plans.front().is_usable()) {
-      return std::nullopt;
-    }
-    for (MorphContour& contour : plans.front().pair.contours) {
-      whole.contours.push_back(std::move(contour));
-    }
-  }
-  const MorphQuality quality = quality_of(whole);
-  if (!quality.crossings.empty() || quality.area_error > kMostAreaError) {
-    return std::nullopt;
-  }
-  return whole;
+  Morph joined = morph_bodies(bodies[0], bodies[1]);
+  return joined.cost < best.cost ? joined.pair : best.pair;
 }
 
 }  // namespace inkcell::gen

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "shape/points.hpp"
 
@@ -232,6 +234,47 @@ class Matcher {
   LoopMatch best_;
 };
 
+// Whether two curves begin and end in about the same directions.
+bool run_alike(const LoopEdge& a, const LoopEdge& b) {
+  constexpr double kLeastCosine = 0.97;  // 14 degrees
+  const auto alike = [](const Point& u, const Point& v) {
+    return dot(u, v) >= kLeastCosine * length(u) * length(v);
+  };
+  return !a.is_jump && !b.is_jump && alike(a.p[1] - a.p[0], b.p[1] - b.p[0]) &&
+         alike(a.p[2] - a.p[1], b.p[2] - b.p[1]);
+}
+
+// Edge by edge, if all run alike.
+std::optional<LoopMatch> match_edges(const Loop& a,
+                                     const Loop& b,
+                                     double far_u) {
+  const size_t n = a.size();
+  std::optional<LoopMatch> best;
+  for (size_t start = 0; start < n && n == b.size(); ++start) {
+    LoopMatch match;
+    match.contour.start[0] = {a.front().segment, a.front().from};
+    match.contour.start[1] = {b[start].segment, b[start].from};
+    for (size_t i = 0; i < n; ++i) {
+      const size_t j = (start + i) % n;
+      if (!run_alike(a[i], b[j])) {
+        break;
+      }
+      MorphPiece piece;
+      piece.side[0] = side_to(a[i], a[i].from, a[i].to);
+      piece.side[1] = side_to(b[j], b[j].from, b[j].to);
+      piece.stop[0] = static_cast<int>(i);
+      piece.stop[1] = static_cast<int>(j);
+      match.cost += piece_cost(a[i].p, b[j].p, far_u);
+      match.contour.pieces.push_back(piece);
+    }
+    if (match.contour.pieces.size() == n &&
+        (!best || match.cost < best->cost)) {
+      best = std::move(match);
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
@@ -241,6 +284,11 @@ double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
 LoopMatch match_loops(const Loop& a,
                       const Loop& b,
                       const MatchOptions& options) {
+  if (options.penalties.empty()) {
+    if (std::optional<LoopMatch> match = match_edges(a, b, options.far_u)) {
+      return *match;
+    }
+  }
   return Matcher(a, b, options).find();
 }
 

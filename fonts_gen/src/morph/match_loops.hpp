@@ -28,7 +28,8 @@ struct LoopMatch {
 
 /// The pieces with the least sum of costs (dynamic programming over the stops
 /// of both loops). A piece is dear if its parts are far apart, or differ in
-/// length or direction.
+/// length or direction. Loops whose edges run alike, as those of two boxes, are
+/// matched edge by edge, however far these are.
 LoopMatch match_loops(const Loop& a,
                       const Loop& b,
                       const MatchOptions& options);

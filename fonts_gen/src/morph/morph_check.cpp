@@ -20,18 +20,28 @@ Point mixed(const Point& a, const Point& b, double t) {
   return (1 - t) * a + t * b;
 }
 
-// A side's point at a progress: slits lengthen.
+bool is_cut(const MorphPiece& piece, size_t side) {
+  return piece.side[side].move == MorphMove::jump;
+}
+
+// A point of a piece at a progress: slits lengthen, cuts open late and close
+// early. `other` has the same point, or is the piece itself.
 Point placed(const MorphContour& contour,
              const MorphPiece& piece,
-             size_t side,
+             const MorphPiece& other,
              size_t i,
              double progress) {
-  const Point& p = piece.side[side].p[i];
-  if (contour.missing != static_cast<int>(side)) {
-    return p;
+  Point p[2];
+  for (size_t side = 0; side < 2; ++side) {
+    p[side] = piece.side[side].p[i];
+    if (contour.missing == static_cast<int>(side)) {
+      const double since = side == 0 ? progress : 1 - progress;
+      p[side] = mixed(contour.slit_middle, p[side], slit_length(since));
+    }
   }
-  const double since = side == 0 ? progress : 1 - progress;
-  return mixed(contour.slit_middle, p, slit_length(since));
+  return mixed(p[0], p[1],
+               cut_progress(progress, is_cut(piece, 0) || is_cut(other, 0),
+                            is_cut(piece, 1) || is_cut(other, 1)));
 }
 
 bool cross_each_other(const Chord& s, const Chord& t) {
@@ -113,12 +123,14 @@ MorphPolygons morph_polygons(const MorphPair& pair,
   MorphPolygons out;
   for (const MorphContour& contour : pair.contours) {
     std::vector<Point> polygon;
-    for (const MorphPiece& piece : contour.pieces) {
-      Point p[3];
-      for (size_t i = 0; i < 3; ++i) {
-        p[i] = mixed(placed(contour, piece, 0, i, progress),
-                     placed(contour, piece, 1, i, progress), progress);
-      }
+    const size_t n = contour.pieces.size();
+    for (size_t k = 0; k < n; ++k) {
+      const MorphPiece& piece = contour.pieces[k];
+      const MorphPiece& last = contour.pieces[(k + n - 1) % n];
+      const MorphPiece& next = contour.pieces[(k + 1) % n];
+      const Point p[3] = {placed(contour, piece, last, 0, progress),
+                          placed(contour, piece, piece, 1, progress),
+                          placed(contour, piece, next, 2, progress)};
       for (int i = 0; i < chords; ++i) {
         polygon.push_back(point_at(p, static_cast<double>(i) / chords));
       }

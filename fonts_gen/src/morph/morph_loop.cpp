@@ -155,6 +155,21 @@ Loop joined(const Loop& a, const Loop& b, const Bridge& bridge) {
   return out;
 }
 
+Loop part_between(const Loop& loop, const LoopStop& from, const LoopStop& to) {
+  Loop out;
+  const size_t n = loop.size();
+  const auto last = static_cast<size_t>(to.edge);
+  for (auto i = static_cast<size_t>(from.edge); i != last; i = (i + 1) % n) {
+    const bool is_cut = out.empty() && from.eighth > loop[i].from;
+    out.push_back(is_cut ? part_of(loop[i], from.eighth, loop[i].to) : loop[i]);
+  }
+  if (to.eighth > loop[last].from) {
+    out.push_back(part_of(loop[last], loop[last].from, to.eighth));
+  }
+  out.push_back(jump(to, from, loop));
+  return out;
+}
+
 double area_of(const Loop& loop) {
   double twice = 0;
   for (const LoopEdge& edge : loop) {

@@ -52,6 +52,9 @@ std::vector<Bridge> bridges_between(const Loop& from, const Loop& to);
 /// comes back.
 Loop joined(const Loop& a, const Loop& b, const Bridge& bridge);
 
+/// The part of a loop from one stop on to another, closed by a cut.
+Loop part_between(const Loop& loop, const LoopStop& from, const LoopStop& to);
+
 /// Positive if the loop runs counter-clockwise.
 double area_of(const Loop& loop);
 Point centroid_of(const Loop& loop);

@@ -1,6 +1,7 @@
 // How the contours of one glyph become those of another.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "shape/outline.hpp"
@@ -55,6 +56,14 @@ struct MorphPair {
 /// glyph that lacks the contour.
 inline double slit_length(double progress) {
   return progress < 0.25 ? 4 * progress : 1;
+}
+
+/// The progress of the ends of a cut: one that opens in the first glyph waits
+/// for a quarter of the time, one that closes in the second arrives as early.
+inline double cut_progress(double progress, bool opens, bool closes) {
+  const double begin = opens ? 0.125 : 0;
+  const double end = closes ? 0.875 : 1;
+  return std::clamp((progress - begin) / (end - begin), 0.0, 1.0);
 }
 
 }  // namespace inkcell::gen
