@@ -104,10 +104,12 @@ def read_pgm(path):
 class Row:
     """One way to draw one font."""
 
-    def __init__(self, name, font, render, folder):
+    def __init__(self, name, font, options, folder):
         self.options, self.levels = ROWS[name]
-        self.face = freetype.Face(str(font))
-        self.font, self.render, self.folder = font, render, folder
+        self.face = freetype.Face(str(font), options.face)
+        self.font, self.texts = font, options.texts
+        self.render, self.folder = options.render, folder
+        self.number, self.language = options.face, options.language
         self.rom = folder / f"{font.stem}.ink"
 
     def draw(self, jobs):
@@ -117,7 +119,9 @@ class Row:
         if not self.rom.exists():
             subprocess.run([self.render.parents[1] /
                             "fonts_gen/inkcell-fontgen", "--quiet", "--font",
-                            self.font, "--out", self.rom], check=True)
+                            self.font, "--face", str(self.number), "--chars",
+                            "0x20-0x7E", f"--symbols={''.join(self.texts)}",
+                            "--out", self.rom], check=True)
         lines = []
         for i, job in enumerate(jobs):
             lines.append(json.dumps({
@@ -152,8 +156,7 @@ def end_of_ink(rows):
 
 
 def read(row, px):
-    texts = LINES.read_text().splitlines()
-    jobs = row.jobs(texts, px)
+    jobs = row.jobs(row.texts, px)
     pictures = row.draw(jobs)
     width = max(map(end_of_ink, pictures)) + 9
     page = [[255] * (width + 8)] * 8
@@ -168,11 +171,12 @@ def read(row, px):
     path.write_bytes(b"P5 %d %d 255\n" % (len(lines[0]), zoom * len(lines)) +
                      b"".join(line * zoom for line in lines))
     text = subprocess.run(
-        ["tesseract", path, "-", "--psm", "6", "-l", "eng", "--dpi", "300"],
+        ["tesseract", path, "-", "--psm", "6", "-l", row.language, "--dpi", "300"],
         env=dict(os.environ, OMP_THREAD_LIMIT="1"), check=True, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
-    wanted = " ".join(texts)
-    missed = distance(wanted, " ".join(text.split()))
+    blank = " " if row.language == "eng" else ""
+    wanted = blank.join(row.texts)
+    missed = distance(wanted, blank.join(text.split()))
     drawn = sum(end_of_ink(p) - job.x for p, job in zip(pictures, jobs))
     return {"read": 100 * max(0.0, 1 - missed / len(wanted)),
             "length": 100 * drawn / sum(job.length for job in jobs) - 100}
@@ -269,6 +273,14 @@ def parse(arguments):
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--font", action="append", type=Path,
                         help="TTF or OTF; repeatable [three faces]")
+    parser.add_argument("--face", type=int, default=0,
+                        help="its number in a collection [0]")
+    parser.add_argument("--lines", type=Path, default=LINES,
+                        help="what is read; of other letters than ASCII only "
+                        "the column `read` is told")
+    parser.add_argument("--language", default="eng",
+                        help="of Tesseract: chi_sim, of Debian's package "
+                        "tesseract-ocr-chi-sim, reads reading_hanzi.txt")
     parser.add_argument("--px", default="8,9,10,12", help="sizes")
     parser.add_argument("--rows", help="names of rows, with ; between them")
     parser.add_argument("--at-least", type=float, default=0,
@@ -278,6 +290,10 @@ def parse(arguments):
     options = parser.parse_args(arguments)
     options.font = options.font or [FOLDER / font for font in FONTS]
     options.px = [float(px) for px in options.px.split(",")]
+    options.texts = options.lines.read_text().splitlines()
+    options.judges = (read, stems, unevenness, holes)
+    if not options.lines.read_text().isascii():
+        options.judges = (read,)
     options.rows = options.rows.split(";") if options.rows else list(ROWS)
     for row in options.rows:
         if row not in ROWS:
@@ -294,9 +310,9 @@ def main(arguments):
         for done, (name, px, font) in enumerate(todo):
             print(f"\r{done} of {len(todo)}: {name}, {px:g} px, "
                   f"{font.stem}\033[K", end="", file=sys.stderr)
-            row = Row(name, font, options.render, Path(folder))
+            row = Row(name, font, options, Path(folder))
             figures = {}
-            for judge in (read, stems, unevenness, holes):
+            for judge in options.judges:
                 figures.update(judge(row, px))
             results.setdefault((name, px), []).append(figures)
             print(json.dumps({"row": name, "px": px, "font": font.stem,
