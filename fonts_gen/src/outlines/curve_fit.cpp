@@ -149,12 +149,16 @@ struct Equations {
   size_t count = 0;
   double a[kMostUnknowns][kMostUnknowns + 1] = {};
 
-  // Adds (row . unknowns - value)^2 to the sum of squares. solve() fills `a`
-  // below the diagonal.
-  void add(const double* row, double value, double weight) {
-    for (size_t r = 0; r < count; ++r) {
+  // Adds (row . unknowns - value)^2 to the sum of squares; what is 0 between
+  // `first` and `last` stays. solve() fills `a` below the diagonal.
+  void add(const double* row,
+           size_t first,
+           size_t last,
+           double value,
+           double weight) {
+    for (size_t r = first; r < last; ++r) {
       const double f = weight * row[r];
-      for (size_t c = r; c < count; ++c) {
+      for (size_t c = r; c < last; ++c) {
         a[r][c] += f * row[c];
       }
       a[r][count] += f * value;
@@ -206,11 +210,14 @@ bool solve_controls(const std::vector<Point>& points,
   const size_t n = chain.controls.size();
   size_t x_of[kMostFitControls];
   size_t y_of[kMostFitControls];
+  size_t begin_of[kMostFitControls + 1];  // the first unknown from a control on
   Equations equations;
   for (size_t i = 0; i < n; ++i) {
+    begin_of[i] = equations.count;
     x_of[i] = fixed.x[i] ? kMostUnknowns : equations.count++;
     y_of[i] = fixed.y[i] ? kMostUnknowns : equations.count++;
   }
+  begin_of[n] = equations.count;
   double w[kMostFitControls + 2];
   for (size_t k = 0; k < points.size(); ++k) {
     weights_at(places[k].parameter, n, w);
@@ -220,9 +227,14 @@ bool solve_controls(const std::vector<Point>& points,
       rest.y -= fixed.y[i] ? w[i + 1] * fixed.at[i].y : 0;
     }
     const Point normal = places[k].normal;
+    // A place depends on its own control and on those beside it.
+    const size_t own =
+        std::min(static_cast<size_t>(places[k].parameter), n - 1);
+    const size_t first = own == 0 ? 0 : own - 1;
+    const size_t last = std::min(own + 2, n);
     const auto add = [&](const Point& axis, double weight) {
-      double row[kMostUnknowns] = {};
-      for (size_t i = 0; i < n; ++i) {
+      double row[kMostUnknowns];
+      for (size_t i = first; i < last; ++i) {
         if (!fixed.x[i]) {
           row[x_of[i]] = axis.x * w[i + 1];
         }
@@ -230,7 +242,8 @@ bool solve_controls(const std::vector<Point>& points,
           row[y_of[i]] = axis.y * w[i + 1];
         }
       }
-      equations.add(row, dot(axis, rest), weight);
+      equations.add(row, begin_of[first], begin_of[last], dot(axis, rest),
+                    weight);
     };
     add(normal, places[k].weight);
     add({-normal.y, normal.x}, along * places[k].weight);
