@@ -182,6 +182,11 @@ async function choose(list) {
 export function startConverter(page) {
   generator = new Generator(page.fontgen, page.worker,
     Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1)));
+  $('to-convert').onclick = () => {
+    $('convert').scrollIntoView();
+    // The browser would scroll to the input, which is not seen.
+    $('files').focus({preventScroll: true});
+  };
   for (const id of ['files', 'sources']) {
     $(id).onchange = () => choose($(id).files);
     // The same file again, after it has changed.

@@ -60,8 +60,15 @@ for (const name of ['ascii', 'digits', 'mine']) {
   await tabTo(page, name);
   await page.keyboard.press('Space');
 }
-await page.focus('body');
-await tabTo(page, 'files');
+// The first screen leads to the form.
+await page.evaluate(() => document.activeElement.blur());
+await page.keyboard.press('Tab');
+assert.deepEqual(await focus(page), {name: 'to-convert', tag: 'BUTTON', ring: 3});
+await page.keyboard.press('Enter');
+assert.deepEqual(await focus(page), {name: 'files', tag: 'INPUT', ring: 3});
+assert.ok(await page.evaluate(() => [...document.querySelectorAll('#convert-title, #drop')]
+  .every((seen) => seen.getBoundingClientRect().top >= 0 &&
+    seen.getBoundingClientRect().bottom <= innerHeight)), 'the form is not seen');
 const [chooser] = await Promise.all([page.waitForEvent('filechooser'),
   page.keyboard.press('Space')]);
 await chooser.setFiles(FONT);
@@ -174,6 +181,10 @@ for (const colorScheme of ['light', 'dark']) {
   const phone = await open({viewport: {width: 360, height: 740}, colorScheme, cores: 1,
     deviceScaleFactor: 2, hasTouch: true});
   await phone.screenshot({path: `${folder}/phone-${colorScheme}.png`});
+  const box = await phone.locator('#to-convert').boundingBox();
+  assert.ok(box && box.y + box.height <= 740, 'no button on the first screen');
+  await phone.tap('#to-convert');
+  assert.equal((await focus(phone)).name, 'files');
   await phone.uncheck('#ascii');
   await phone.check('#digits');
   await phone.setInputFiles('#files', FONT);
