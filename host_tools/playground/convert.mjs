@@ -1,5 +1,5 @@
 // Converts the reader's fonts by inkcell-fontgen in workers.
-import {$, addCopy, copyLink, restore} from './dom.mjs';
+import {$, addCopy, bytesOf, copyLink, restore} from './dom.mjs';
 import {Generator} from './generator.mjs';
 import {argumentsOf, charactersOf, faceNames, isFont, isIcon, withoutCharacters}
   from './options.mjs';
@@ -23,6 +23,13 @@ let files = {};  // chosen, by name
 let turn = 0;  // of the conversion that is wanted
 /** @type {Generator} */
 let generator;
+
+/** A status, and what the generator says with it. @param {string} status */
+function say(status, messages = '') {
+  $('status').textContent = status;
+  $('messages').textContent = messages;
+  $('messages').hidden = !messages;
+}
 
 /** @param {Uint8Array} bytes */
 const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
@@ -92,10 +99,8 @@ async function convert(page) {
   }, () => showFirst(page, args));
   if (mine !== turn) return;
   const seconds = (performance.now() - begin) / 1000;
-  $('messages').textContent = result.err;
-  $('messages').hidden = !result.err;
   if (result.code !== 0) {
-    $('status').textContent = 'The generator has refused that:';
+    say('The generator has refused that:', result.err);
     $('result').hidden = true;
     page.showPart();
     return;
@@ -113,10 +118,12 @@ async function convert(page) {
     page.showPart();
   }
   showReport(page.core, report, made, name, args, page.screenText(), page.look());
-  $('status').textContent += ` ${report.font}: ${characters} in ` +
+  say(`${bytesOf(report.bytes.total)} for every size from ${report.min_px} to ` +
+    `${report.max_px} px. With the filter 'text' no pixel is off by more than ` +
+    `${report.error.max.toFixed(1)}/255. ${report.font}: ${characters} in ` +
     `${seconds.toFixed(1)} s, by ${generator.count} ` +
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
-    (report.coding === 'outline' ? ' The displays above show it.' : '');
+    (report.coding === 'outline' ? ' The displays above show it.' : ''), result.err);
   $('result').dataset.seconds = seconds.toFixed(2);
   $('status').scrollIntoView({block: 'start'});
   $('result').dataset.count = `${Number($('result').dataset.count ?? 0) + 1}`;
@@ -127,7 +134,7 @@ async function submit(page) {
   stop();
   const names = Object.keys(files);
   if (names.some(isFont) && !charactersOf(names, page.screenText())) {
-    $('status').textContent = 'Choose characters first: a list, the text above, or more.';
+    say('Choose characters first: a list, the text above, or more.');
     return;
   }
   const mine = turn;
@@ -135,7 +142,7 @@ async function submit(page) {
   $('cancel').hidden = $('progress').hidden = false;
   $('progress').removeAttribute('value');
   $('status').scrollIntoView({block: 'nearest'});
-  $('status').textContent = 'Starting the generator';
+  say('Starting the generator');
   try {
     await generator.start();
     if (mine !== turn) return;
@@ -149,7 +156,7 @@ async function submit(page) {
     }
     await convert(page);
   } catch (error) {
-    $('status').textContent = /** @type {Error} */ (error).message;
+    say(/** @type {Error} */ (error).message);
   }
   if (mine === turn) stop();
 }
@@ -166,6 +173,7 @@ function showFiles() {
 
 /** Fonts and icons replace each other; so do sources and texts. @param {FileList} list */
 async function choose(list) {
+  say('');
   const chosen = [...list];
   const kinds = new Set(chosen.map(({name}) => isDrawn(name)));
   files = Object.fromEntries(Object.entries(files).filter(([name]) => !kinds.has(isDrawn(name))));
@@ -213,8 +221,7 @@ export function startConverter(page) {
   $('cancel').onclick = () => {
     stop();
     page.showPart();
-    $('status').textContent = $('result').hidden ? 'Cancelled.'
-      : 'Cancelled. What follows is of the font before.';
+    say($('result').hidden ? 'Cancelled.' : 'Cancelled. What follows is of the font before.');
     $('go').focus();
   };
   $('options').onsubmit = (/** @type {Event} */ event) => {

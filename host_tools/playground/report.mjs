@@ -1,7 +1,7 @@
 // What became of a font: bytes, glyphs, the worst pixel, bitmaps beside it,
 // files to download, and the lines that make them again.
 import {Display} from '../../port/web/inkcell.mjs';
-import {$, button, bytesOf, row} from './dom.mjs';
+import {$, button, row} from './dom.mjs';
 import {cmakeOf, quoted} from './options.mjs';
 import {cmakeListsOf, cOf, cppOf, sampleOf} from './program.mjs';
 
@@ -166,7 +166,4 @@ export function showReport(core, report, made, name, args, text, look) {
   $('comparison').hidden = report.coding !== 'outline';
   if (report.coding === 'outline') compareBitmaps(core);
   $('result').hidden = false;
-  $('status').textContent = `${bytesOf(total)} for every size from ${report.min_px} to ` +
-    `${report.max_px} px. With the filter 'text' no pixel is off by more than ` +
-    `${report.error.max.toFixed(1)}/255.`;
 }

@@ -273,6 +273,15 @@ await page.waitForFunction(() =>
   document.getElementById('messages').textContent.startsWith('error: broken.ttf: '));
 assert.match(await text(page, 'status'), /refused/);
 assert.ok(!await page.isVisible('#result'), 'the font before is offered');
+assert.equal(await text(page, 'chosen'), 'broken.ttf');
+// The refusal goes with the next file, and stays away when that is cancelled.
+await page.setInputFiles('#files', local(`${FONTS}/DejaVuSans-Bold.ttf`));
+await page.waitForSelector('#cancel');
+assert.ok(!await page.isVisible('#messages'), await text(page, 'messages'));
+assert.doesNotMatch(await text(page, 'status'), /refused/);
+await page.click('#cancel');
+assert.match(await text(page, 'status'), /^Cancelled\./);
+assert.equal(await text(page, 'messages'), '');
 writeFileSync(`${folder}/dot.svg`, '<svg xmlns="http://www.w3.org/2000/svg" ' +
   'viewBox="0 0 8 8"><circle cx="4" cy="4" r="3"/></svg>');
 await convert(page, `${folder}/dot.svg`);
