@@ -21,15 +21,24 @@ const MOST_WORKERS = 8;
 /** @type {Record<string, Uint8Array>} */
 let files = {};  // chosen, by name
 let turn = 0;  // of the conversion that is wanted
+let shown = '';  // the font of the results
+let refused = false;  // whether the status is a refusal
 /** @type {Generator} */
 let generator;
 
+/** @param {string} name */
+const isDrawn = (name) => isFont(name) || isIcon(name);
+
 /** A status, and what the generator says with it. @param {string} status */
 function say(status, messages = '') {
+  refused = false;
   $('status').textContent = status;
   $('messages').textContent = messages;
   $('messages').hidden = !messages;
 }
+
+/** What the results are of, after a conversion that gave none. @param {string} what */
+const still = (what, end = '.') => shown ? `${what}; below is still ${shown}.` : `${what}${end}`;
 
 /** @param {Uint8Array} bytes */
 const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
@@ -100,8 +109,10 @@ async function convert(page) {
   if (mine !== turn) return;
   const seconds = (performance.now() - begin) / 1000;
   if (result.code !== 0) {
-    say('The generator has refused that:', result.err);
-    $('result').hidden = true;
+    const names = Object.keys(files).filter(isDrawn);
+    say(still(`${names.join(', ')} ${names.length === 1 ? 'was' : 'were'} refused`, ':'),
+      result.err);
+    refused = true;
     page.showPart();
     return;
   }
@@ -124,6 +135,7 @@ async function convert(page) {
     `${seconds.toFixed(1)} s, by ${generator.count} ` +
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
     (report.coding === 'outline' ? ' The displays above show it.' : ''), result.err);
+  shown = report.font;
   $('result').dataset.seconds = seconds.toFixed(2);
   $('status').scrollIntoView({block: 'start'});
   $('result').dataset.count = `${Number($('result').dataset.count ?? 0) + 1}`;
@@ -157,12 +169,10 @@ async function submit(page) {
     await convert(page);
   } catch (error) {
     say(/** @type {Error} */ (error).message);
+    page.showPart();
   }
   if (mine === turn) stop();
 }
-
-/** @param {string} name */
-const isDrawn = (name) => isFont(name) || isIcon(name);
 
 function showFiles() {
   const names = Object.keys(files);
@@ -221,7 +231,7 @@ export function startConverter(page) {
   $('cancel').onclick = () => {
     stop();
     page.showPart();
-    say($('result').hidden ? 'Cancelled.' : 'Cancelled. What follows is of the font before.');
+    say(still('Cancelled'));
     $('go').focus();
   };
   $('options').onsubmit = (/** @type {Event} */ event) => {
@@ -233,7 +243,8 @@ export function startConverter(page) {
       ? `The largest size must be ${$('min').value} px or more, which is the least.` : '');
   $('options').oninput = () => {
     checkSizes();
-    if (!$('result').hidden && !$('result').inert) {
+    // The words of a refusal say what to change.
+    if (shown && !refused && !$('result').inert) {
       $('status').textContent = 'Settings have changed. Convert again for a font with them.';
     }
   };

@@ -261,9 +261,10 @@ await page.focus('#go');
 await page.keyboard.press('Enter');
 await page.focus('#cancel');
 await page.keyboard.press('Enter');
-assert.equal(await text(page, 'status'), 'Cancelled. What follows is of the font before.');
+assert.match(await text(page, 'status'), /^Cancelled; below is still \S[^;]*\.$/);
 assert.doesNotMatch(await text(page, 'note'), /Your text in your font/);
 assert.ok(await page.isEnabled('#go'));
+const kept = await page.$$eval('#result', ([result]) => result.textContent);
 await page.evaluate(() => {
   const dataTransfer = new DataTransfer();
   dataTransfer.items.add(new File(['no font'], 'broken.ttf'));
@@ -271,8 +272,13 @@ await page.evaluate(() => {
 });
 await page.waitForFunction(() =>
   document.getElementById('messages').textContent.startsWith('error: broken.ttf: '));
-assert.match(await text(page, 'status'), /refused/);
-assert.ok(!await page.isVisible('#result'), 'the font before is offered');
+assert.match(await text(page, 'status'), /^broken\.ttf was refused; below is still \S[^;]*\.$/);
+async function checkKept() {
+  assert.ok(await page.isVisible('#result'), 'the last good result is gone');
+  assert.equal(await page.$$eval('#result', ([result]) => result.textContent), kept);
+  assert.equal((await download(page, 'bin')).name, 'both.bin');
+}
+await checkKept();
 assert.equal(await text(page, 'chosen'), 'broken.ttf');
 // The refusal goes with the next file, and stays away when that is cancelled.
 await page.setInputFiles('#files', local(`${FONTS}/DejaVuSans-Bold.ttf`));
@@ -280,8 +286,9 @@ await page.waitForSelector('#cancel');
 assert.ok(!await page.isVisible('#messages'), await text(page, 'messages'));
 assert.doesNotMatch(await text(page, 'status'), /refused/);
 await page.click('#cancel');
-assert.match(await text(page, 'status'), /^Cancelled\./);
+assert.match(await text(page, 'status'), /^Cancelled; below is still \S/);
 assert.equal(await text(page, 'messages'), '');
+await checkKept();
 writeFileSync(`${folder}/dot.svg`, '<svg xmlns="http://www.w3.org/2000/svg" ' +
   'viewBox="0 0 8 8"><circle cx="4" cy="4" r="3"/></svg>');
 await convert(page, `${folder}/dot.svg`);
