@@ -40,17 +40,22 @@ function joined(file, done = new Set()) {
     : `${before}const {${names}} = (() => {\n${body}return {${names}};\n})();\n`;
 }
 
-/** Characters from '#' on, without '<' and '\\': see parts.mjs. */
-const DIGITS = Array.from({length: 87}, (_, i) => String.fromCharCode(35 + i))
+/** Characters from '!' on, without '<' and '\\': see parts.mjs. */
+const DIGITS = Array.from({length: 94}, (_, i) => String.fromCharCode(33 + i))
   .filter((char) => char !== '<' && char !== '\\');
-function base85(bytes) {
-  const whole = Buffer.concat([bytes, Buffer.alloc(-bytes.length & 3)]);
+function base92(bytes) {
   let digits = '';
-  for (let at = 0; at < whole.length; at += 4) {
-    let value = whole.readUInt32BE(at);
-    let five = '';
-    for (let k = 0; k < 5; ++k, value = Math.floor(value / 85)) five = DIGITS[value % 85] + five;
-    digits += five;
+  let bits = 0;
+  let count = 0;
+  // Two bytes more, so that the last bits are written.
+  for (const byte of [...bytes, 0, 0]) {
+    bits = (bits & 0xfff) << 8 | byte;
+    count += 8;
+    if (count >= 13) {
+      count -= 13;
+      const value = bits >> count & 0x1fff;
+      digits += DIGITS[Math.floor(value / 92)] + DIGITS[value % 92];
+    }
   }
   return digits;
 }
@@ -101,7 +106,7 @@ const single = page({
   DATA: Object.entries(data).map(([name, bytes]) => {
     const packed = gzip(bytes);
     return `<script type="text/plain" id="data:${name}" data-bytes="${packed.length}">` +
-      `${base85(packed)}</script>\n`;
+      `${base92(packed)}</script>\n`;
   }).join(''),
   SCRIPT: `<script type="module">${script}</script>`,
 });

@@ -1,5 +1,5 @@
 // Converts the reader's fonts by inkcell-fontgen in workers.
-import {$, addCopy, bytesOf, copyLink, restore} from './dom.mjs';
+import {$, addCopy, bytesOf, copyLink, restore, sizesOf} from './dom.mjs';
 import {Generator} from './generator.mjs';
 import {argumentsOf, charactersOf, faceNames, isFont, isIcon, withoutCharacters}
   from './options.mjs';
@@ -23,6 +23,9 @@ let files = {};  // chosen, by name
 let turn = 0;  // of the conversion that is wanted
 let shown = '';  // the font of the results
 let refused = false;  // whether the status is a refusal
+let done = 0;  // of the conversion, 0 to 1
+/** @type {number | undefined} */
+let timer;
 /** @type {Generator} */
 let generator;
 
@@ -45,10 +48,24 @@ const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
 
 function stop() {
   ++turn;
+  clearInterval(timer);
+  $('passed').textContent = '';
   generator.stop();
   $('result').inert = false;
   $('go').disabled = Object.keys(files).length === 0;
   $('cancel').hidden = $('progress').hidden = true;
+}
+
+/** The seconds that passed, and those that are left. */
+function startTimer() {
+  const begin = performance.now();
+  done = 0;
+  timer = setInterval(() => {
+    const passed = (performance.now() - begin) / 1000;
+    const left = Math.ceil(passed / done - passed);
+    $('passed').textContent = `${Math.floor(passed)} s` +
+      (done > 0.05 && done < 1 ? `, about ${left} s left` : '');
+  }, 250);
 }
 
 /** Sliders for the axes of a variable font. @param {any} report */
@@ -101,10 +118,11 @@ async function convert(page) {
   const mine = turn;
   const result = await generator.convert(files, args, outs, (part) => {
     if (mine !== turn) return;
+    done = part;
     $('progress').value = part;
     $('status').textContent = args.includes('--budget')
       ? 'Converting several times, for the limit of bytes'
-      : part < 1 ? 'Converting glyphs' : 'Hints, and a last check';
+      : part < 1 ? 'Converting glyphs' : 'Hints, and a last check, which takes a few seconds';
   }, () => showFirst(page, args));
   if (mine !== turn) return;
   const seconds = (performance.now() - begin) / 1000;
@@ -123,14 +141,14 @@ async function convert(page) {
     : `${report.characters} characters`) + (added && `, with ${added} for broken lines`);
   if (report.coding === 'outline') {
     const icons = args.includes('--font') ? [] : Object.values(report.icons);
-    page.show(made['font.bin'], `${name}, ${characters}, any size from ${report.min_px} to ` +
-      `${report.max_px} px`, String.fromCodePoint(...icons));
+    page.show(made['font.bin'], `${name}, ${characters}, ${sizesOf(report.min_px, report.max_px)}`,
+      String.fromCodePoint(...icons));
   } else {
     page.showPart();
   }
   showReport(page.core, report, made, name, args, page.screenText(), page.look());
-  say(`${bytesOf(report.bytes.total)} for every size from ${report.min_px} to ` +
-    `${report.max_px} px. With the filter 'text' no pixel is off by more than ` +
+  say(`${bytesOf(report.bytes.total)} for ${sizesOf(report.min_px, report.max_px)}. ` +
+    `With the filter 'text' no pixel is off by more than ` +
     `${report.error.max.toFixed(1)}/255. ${report.font}: ${characters} in ` +
     `${seconds.toFixed(1)} s, by ${generator.count} ` +
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
@@ -153,6 +171,7 @@ async function submit(page) {
   $('go').disabled = $('result').inert = true;
   $('cancel').hidden = $('progress').hidden = false;
   $('progress').removeAttribute('value');
+  startTimer();
   $('status').scrollIntoView({block: 'nearest'});
   say('Starting the generator');
   try {

@@ -92,3 +92,7 @@ export function addCopy(listing) {
   copy.onblur = () => { copy.textContent = 'Copy'; };
   listing.before(copy);
 }
+
+/** @param {number} least @param {number} most */
+export const sizesOf = (least, most) =>
+  least === most ? `${least} px` : `any size from ${least} to ${most} px`;

@@ -2,7 +2,7 @@
 import {Core} from '../../port/web/inkcell.mjs';
 import {drawClock} from './clock.mjs';
 import {startConverter} from './convert.mjs';
-import {$, bytesOf, copyLink, reset, restore} from './dom.mjs';
+import {$, bytesOf, copyLink, reset, restore, sizesOf} from './dom.mjs';
 import {startInside} from './inside.mjs';
 import {keepOffline, part, scriptOf} from './parts.mjs';
 import {Screen} from './screen.mjs';
@@ -149,6 +149,8 @@ function setFont(font, text) {
   $('title-bytes').textContent = `${(font.bytes.length / 1000).toFixed(1)} KB.`;
   $('built-in').hidden = font === builtIn;
   const {least, most} = core.sizes;
+  $('title-sizes').textContent = font === builtIn ? 'Every size.'
+    : least === most ? `${least} px.` : `${least} to ${most} px.`;
   range = {least, most: Math.max(least, Math.min(most, 64))};
   $('size').min = range.least;
   $('size').max = range.most;
@@ -256,7 +258,7 @@ new ResizeObserver(draw).observe(document.body);
 
 showValues();
 builtIn = {bytes: await part('font.bin'), isPart: false,
-  label: 'DejaVu Sans, 95 characters, any size from 8 to 64 px'};
+  label: `DejaVu Sans, 95 characters, ${sizesOf(8, 64)}`};
 setFont(builtIn);
 startConverter({
   core,

@@ -2,22 +2,22 @@
 // fetched from where it lies.
 import {$} from './dom.mjs';
 
-const LEAST = 35;  // the first of 86 characters from '#' on, without '<' and '\\'
+const LEAST = 33;  // the first of 92 characters from '!' on, without '<' and '\\'
 
 /**
- * Bytes of base 85: five characters are four bytes, the first the highest.
+ * Bytes of base 92: two characters are thirteen bits, the highest first.
  * @param {string} text
  */
-function ofBase85(text) {
-  const bytes = new Uint8Array(text.length / 5 * 4);
-  const view = new DataView(bytes.buffer);
-  for (let i = 0, at = 0; i < text.length; i += 5, at += 4) {
-    let value = 0;
-    for (let k = i; k < i + 5; ++k) {
-      const code = text.charCodeAt(k);
-      value = value * 85 + code - LEAST - Number(code > 60) - Number(code > 92);
-    }
-    view.setUint32(at, value);
+function ofBase92(text) {
+  const bytes = new Uint8Array(text.length / 2 * 13 >> 3);
+  const digit = (/** @type {number} */ at) => {
+    const code = text.charCodeAt(at);
+    return code - LEAST - Number(code > 60) - Number(code > 92);
+  };
+  let bits = 0;
+  for (let i = 0, count = 0, at = 0; i < text.length; i += 2) {
+    bits = bits << 13 | digit(i) * 92 + digit(i + 1);
+    for (count += 13; count >= 8; bytes[at++] = bits >> count) count -= 8;
   }
   return bytes;
 }
@@ -30,7 +30,7 @@ export async function part(name) {
     if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
     return new Uint8Array(await answer.arrayBuffer());
   }
-  const packed = ofBase85(inside.textContent).subarray(0, Number(inside.dataset.bytes));
+  const packed = ofBase92(inside.textContent).subarray(0, Number(inside.dataset.bytes));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -46,7 +46,17 @@ async function again(page) {
 // ASCII by one worker and by several.
 for (const cores of [1, 2, 4]) {
   const page = await open({cores});
+  // All that it says of the time.
+  await page.evaluate(() => {
+    window.times = [];
+    new MutationObserver(() => times.push(document.getElementById('passed').textContent))
+      .observe(document.getElementById('passed'), {childList: true});
+  });
   await convert(page, local(`${FONTS}/DejaVuSans.ttf`));
+  const times = await page.evaluate('times');
+  assert.match(times[0], /^\d+ s$/);
+  assert.ok(times.some((said) => /^\d+ s, about \d+ s left$/.test(said)), `${times}`);
+  assert.equal(times.at(-1), '');
   console.log(`${cores} workers: ${await text(page, 'status')}`);
   assert.match(await text(page, 'status'), new RegExp(`by ${cores} worker`));
   await compare(page, `ASCII, ${cores} workers`);
@@ -202,9 +212,14 @@ await page.uncheck('#digits');
 await page.check('#mine');
 await page.fill('#text', '23.5 °C');
 await page.fill('#min', '30');
-await page.fill('#max', '48');
+await page.fill('#max', '30');
 await page.click('#no-sources');
 await again(page);
+assert.equal(await text(page, 'title-sizes'), '30 px.');
+assert.match(await text(page, 'status'), /bytes for 30 px\. /);
+await page.fill('#max', '48');
+await again(page);
+assert.equal(await text(page, 'title-sizes'), '30 to 48 px.');
 assert.deepEqual(await page.evaluate(() => ['min', 'max', 'value'].map((name) =>
   document.getElementById('size')[name])), ['30', '48', '30']);
 assert.match(await text(page, 'note'), /no clock/);
@@ -220,6 +235,7 @@ assert.match(await text(page, 'status'), /^Choose characters/);
 await page.click('#built-in');
 assert.ok(!await page.isVisible('#built-in'));
 assert.match(await text(page, 'font-label'), /^DejaVu Sans, 95/);
+assert.equal(await text(page, 'title-sizes'), 'Every size.');
 await page.check('#mine');
 
 // The link carries settings.
