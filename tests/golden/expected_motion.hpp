@@ -10,11 +10,11 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "81632e7bcd602c9d2dd111c49727bac91632716a7720ce5ad236f5a75ef67732";
 inline constexpr const char* kFigure13Hash =
-    "13c3e9f7d969d0f568c38e6197a432d0aed7467b237246c43e84077d96225405";
+    "ebeb3cdcd4cf55f8b1913dd7c4b50fa3becb61fe5bf33f5d70a0fc3e1bf58098";
 inline constexpr const char* kFigure14Hash =
     "26d3c49228ca7964d8ce462c951cc0af0e9a114c320e50f82ac2ee4240300fe9";
 inline constexpr const char* kFigure15Hash =
-    "f2dff531685a27d673efc0e61ebf2db49c89ef5a94d68bebcf7a27524846b739";
+    "7484cdbd710b351b0efb44842c82fda2dade54483cfa776ad3854411767fb7e9";
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 inline constexpr const char* kCountHash =

@@ -168,6 +168,29 @@ class Animate(unittest.TestCase):
                       code=1)
         self.assertIn("icons takes one to four pairs", message)
 
+    def test_bodies_fall_from_the_first_frame_on(self):
+        out, _ = self.play("figure13", "b.png")
+        for frame in frames_of(out.read_bytes()):
+            self.assertGreater(len(set(frame[i:i + 3] for i in
+                                       range(0, len(frame), 3))), 1)
+        message = run("animate", "figure13", "--text", "nineBodys", "--out",
+                      out, code=1)
+        self.assertIn("figure13 takes up to 8 letters", message)
+
+    def test_the_vortex_stays_on_the_screen(self):
+        """Its ground as well, on screens of any size."""
+        for text, width, height in (("eg", 160, 120), ("S", 640, 480)):
+            out, _ = self.play("figure15", "v.png", "--text", text, "--fps", 5,
+                               size=f"{width}x{height}", frames=300)
+            for frame in frames_of(out.read_bytes()):
+                self.assertEqual(len(frame), 3 * width * height)
+                rows = [frame[:3 * width], frame[-3 * width:]]
+                columns = [frame[3 * x::3 * width] for x in (0, width - 1)]
+                for edge in rows:
+                    self.assertEqual(edge, edge[:3] * width)
+                self.assertEqual([set(edge) for edge in columns],
+                                 [{frame[0]}, {frame[0]}])
+
     def test_charge_takes_a_percentage(self):
         for text in ("0%", "101%", "72", "%", "7a%"):
             out = run("animate", "charge", "--text", text, "--out",

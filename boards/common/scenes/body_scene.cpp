@@ -19,7 +19,8 @@ constexpr int32_t kStepsPerFrame = 2;
 // Frames.
 constexpr uint32_t kFallEach = 10;
 constexpr uint32_t kKicks = 165;
-constexpr uint32_t kOpens = 262;
+constexpr uint32_t kOpens =
+    287;  // the last letter has left when the first falls
 
 }  // namespace
 
@@ -69,11 +70,14 @@ Status BodyScene::open() noexcept {
   Span<int8_t> memory = memory_;
   TextCursor cursor(font_, text_);
   PositionedGlyph letter;
-  while (count_ < kMostLetters && cursor.next(letter)) {
+  while (cursor.next(letter)) {
     GlyphMetrics metrics;
     if (font_.glyph_metrics(letter.glyph, metrics) != Status::ok ||
         metrics.x_max <= metrics.x_min) {
       continue;
+    }
+    if (count_ == kMostLetters) {
+      return Status::buffer_small;
     }
     int32_t shape = 0;
     while (shape < shape_count_ && glyphs_[shape] != letter.glyph) {
@@ -84,8 +88,11 @@ Status BodyScene::open() noexcept {
     }
     shape_of_[count_++] = static_cast<uint8_t>(shape);
   }
+  if (count_ == 0) {
+    return Status::bad_argument;
+  }
   restart();
-  return count_ == 0 ? Status::bad_argument : Status::ok;
+  return Status::ok;
 }
 
 void BodyScene::restart() noexcept {
@@ -93,6 +100,7 @@ void BodyScene::restart() noexcept {
   for (Body& body : bodies_) {
     body = Body();
   }
+  let_fall(0);
 }
 
 // The floor opens at the end. Letters fall in from above.
@@ -120,7 +128,8 @@ void BodyScene::let_fall(int32_t index) noexcept {
   // Over the middle half, far from the letter before.
   const auto along = static_cast<int32_t>(random & 511) + 512 * (index % 2);
   body.x = Q16_16::from_int(width_ / 4 + width_ * along / 2048);
-  body.y = Q16_16::from_int(-body.shape->radius());
+  // The first one is seen at once.
+  body.y = Q16_16::from_int(index == 0 ? 0 : -body.shape->radius());
   body.turn_q32 = random << 7;
   body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 1024;
   body.x_speed.raw = (512 - along) * 60 * width_ / 320;
@@ -136,8 +145,8 @@ void BodyScene::step() noexcept {
     return;
   }
   if (phase % kFallEach == 0 &&
-      phase / kFallEach <= static_cast<uint32_t>(count_)) {
-    let_fall(static_cast<int32_t>(phase / kFallEach) - 1);
+      phase / kFallEach < static_cast<uint32_t>(count_)) {
+    let_fall(static_cast<int32_t>(phase / kFallEach));
   }
   for (int32_t i = 0; i < count_; ++i) {
     Body& body = bodies_[i];
@@ -222,7 +231,7 @@ uint32_t BodyScene::next_due() const noexcept {
   if (!are_asleep(bodies())) {
     return frame_ + 1;
   }
-  const uint32_t last_fall = kFallEach * static_cast<uint32_t>(count_);
+  const uint32_t last_fall = kFallEach * static_cast<uint32_t>(count_ - 1);
   uint32_t next = kLoopFrames;
   if (phase < last_fall) {
     next = (phase / kFallEach + 1) * kFallEach;

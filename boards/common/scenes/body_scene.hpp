@@ -42,8 +42,8 @@ class BodyScene {
   BodyScene(const BodyScene&) = delete;
   BodyScene& operator=(const BodyScene&) = delete;
 
-  /// bad_argument: the text has no ink. buffer_small: the memory is too small.
-  /// Only the first kMostLetters letters of the text fall.
+  /// bad_argument: the text has no ink. buffer_small: more than kMostLetters
+  /// letters, or the memory is too small.
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;

@@ -1,11 +1,15 @@
-// The letter rests, is wound up, unwound, and restored.
+// The letter rests, is wound up, thins away, and grows anew.
 #include "vortex_scene.hpp"
 
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/painter.hpp"
+#include "inkcell/style.hpp"
 #include "paint_text.hpp"
 
 namespace inkcell {
@@ -20,30 +24,32 @@ constexpr uint32_t kBody = 0xf2e6cf;
 constexpr uint32_t kLine = 0x8a4b32;
 constexpr uint32_t kCore = 0xd9763f;
 
-// Frames of a loop: the vortex turns in one direction, then in the other.
+// Frames of a loop.
 constexpr uint32_t kBegins = 20;
-constexpr uint32_t kTurns = 143;
-constexpr uint32_t kEnds = 2 * kTurns - kBegins;
-constexpr uint32_t kSwell = 20;  // until it has full strength
+constexpr uint32_t kEnds = 205;
+constexpr uint32_t kSwell = 25;  // until the vortex has full strength
+constexpr uint32_t kGrows = 235;
+constexpr uint32_t kGrown = 265;
 // Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
-// Then the damage is repaired, a part in each frame.
-constexpr uint32_t kHealed = kEnds + 22;
-constexpr int32_t kHealsQ8 = 48;
 
-// The strength, symmetric in time, so that the letter unwinds. [Q16]
 Q16_16 strength_at(uint32_t phase) noexcept {
   if (phase < kBegins || phase >= kEnds) {
     return {};
   }
-  const bool is_back = phase >= kTurns;
-  const uint32_t since = is_back ? kEnds - 1 - phase : phase - kBegins;
-  const uint32_t half = kTurns - kBegins;
-  const uint32_t to_end = half - 1 - since;
+  const uint32_t since = phase - kBegins;
+  const uint32_t to_end = kEnds - 1 - phase;
   const uint32_t near = since < to_end ? since : to_end;
-  const int32_t blow =
-      ease(kEaseInOut, fraction(0, kSwell, static_cast<int32_t>(near))).raw;
-  return Q16_16::from_raw(is_back ? -blow : blow);
+  return ease(kEaseInOut, fraction(0, kSwell, static_cast<int32_t>(near)));
+}
+
+// How far strokes have thinned.
+Q16_16 thinned_at(uint32_t phase) noexcept {
+  const auto now = static_cast<int32_t>(phase);
+  return phase < kGrows
+             ? ease(kEaseInOut, fraction(kEnds, kGrows, now))
+             : Q16_16::from_raw(
+                   65536 - ease(kEaseInOut, fraction(kGrows, kGrown, now)).raw);
 }
 
 }  // namespace
@@ -63,11 +69,24 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
   next_ = DistanceGrid({first + half, half}, columns, rows, scale);
 }
 
-// 5/8 of the height, in the middle; at most 3/4 of the width.
+// 5/8 of the height and 3/4 of the width, in the middle: less if the letter
+// would leave the screen when it is turned.
 bool VortexScene::paint(DistanceGrid& grid) noexcept {
   TextPlace place;
-  return find_place(font_, text_, width_, height_, 192, 160, place) &&
-         paint_text(font_, text_, place, workspace_, grid);
+  int32_t part_q8 = 256;
+  int32_t room = 0;
+  for (; room < 1 && part_q8 > 32; part_q8 -= 16) {
+    if (!find_place(font_, text_, width_, height_, 192 * part_q8 >> 8,
+                    160 * part_q8 >> 8, place)) {
+      return false;
+    }
+    const PixelMeasure ink = Painter().measure(font_, Style(place.size), text_);
+    const int32_t across = (ink.right.raw - ink.left.raw) >> 6;
+    const int32_t down = (ink.bottom.raw - ink.top.raw) >> 6;
+    const int32_t side = (width_ < height_ ? width_ : height_) * 15 / 16;
+    room = side * side - across * across - down * down;
+  }
+  return paint_text(font_, text_, place, workspace_, grid);
 }
 
 bool VortexScene::restart() noexcept {
@@ -87,19 +106,6 @@ void VortexScene::keep_area() noexcept {
   has_changed_ = true;
 }
 
-// Blends towards the letter, whose distances are painted first.
-void VortexScene::heal(bool is_first) noexcept {
-  if (is_first) {
-    static_cast<void>(paint(next_));
-  }
-  GridBlend to_letter;
-  to_letter.part_q8 = kHealsQ8;
-  to_letter.depth_a = 255;  // no stroke shrinks: edges only move
-  to_letter.depth_b = 255;
-  static_cast<void>(blend(grid_, next_, to_letter, grid_, scratch_));
-  keep_area();
-}
-
 Status VortexScene::open() noexcept {
   if (grid_.width() == 0 || next_.width() == 0) {
     return Status::buffer_small;
@@ -114,18 +120,12 @@ Status VortexScene::open() noexcept {
 void VortexScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kLoopFrames;
-  if (phase == 0) {
-    // Restores what unwinding lost.
+  if (phase == kGrows) {
     const uint32_t frame = frame_;
     static_cast<void>(restart());
     frame_ = frame;
-    has_changed_ = true;
-    return;
   }
-  if (phase >= kEnds && phase < kHealed) {
-    heal(phase == kEnds);
-    return;
-  }
+  has_changed_ = has_changed_ || (phase >= kEnds && phase <= kGrown);
   const Q16_16 blow = strength_at(phase);
   if (blow.raw == 0) {
     return;
@@ -180,11 +180,17 @@ void VortexScene::draw(const Paper& paper) noexcept {
   constexpr Layer kLayers[] = {
       {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 16, kLine}, {-4 * 64, kCore}};
   paper.fill(kBackground);
+  // All layers thin by more than the grid knows, and what is left fades.
+  const uint32_t phase = frame_ % kLoopFrames;
+  const Q16_16 thinned = thinned_at(phase);
+  const auto opacity = static_cast<uint8_t>(lerp(255, 0, thinned));
   for (const Layer& layer : kLayers) {
-    const int32_t offset_q6 = layer.offset_q6 * height_ / 240;
+    const int32_t offset_q6 =
+        (layer.offset_q6 - lerp(0, 14 * 64, thinned)) * height_ / 240;
     GridLook look;
     look.cutoff.raw = cutoff_.raw - (offset_q6 * 128 >> grid_.scale_log2());
-    draw_grid(grid_, look, 0, 0, kFilterMotion, paper.with(layer.ink));
+    const Fade fade = {&paper.with(layer.ink), opacity};
+    draw_grid(grid_, look, 0, 0, kFilterMotion, make_sink(fade));
   }
 }
 
@@ -199,7 +205,7 @@ uint32_t VortexScene::next_due() const noexcept {
   if (phase + 1 < kBegins) {
     return frame_ + kBegins - phase;
   }
-  return frame_ + (phase + 1 < kHealed ? 1 : kLoopFrames - phase);
+  return frame_ + (phase <= kGrown ? 1 : kLoopFrames + kBegins - phase);
 }
 
 void VortexScene::tell_state(const StateSink& sink) const noexcept {

@@ -1,4 +1,4 @@
-// Scene `figure15`: a vortex winds a letter up and unwinds it.
+// Scene `figure15`: a vortex winds a letter up; it thins away and grows anew.
 #pragma once
 
 #include <stdint.h>
@@ -21,9 +21,10 @@ class VortexScene {
  public:
   static constexpr const char* kText = "S";
 
-  /// Pixels a sample along each side.
+  /// 2^scale pixels a sample along each side: the grid knows distances of 4
+  /// samples, which the outermost layer needs.
   static constexpr int32_t scale_for(int32_t width) noexcept {
-    return width > 200 ? 1 : 0;
+    return width > 400 ? 2 : width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
     using kinetic::DistanceGrid;
@@ -50,7 +51,6 @@ class VortexScene {
   bool restart() noexcept;
   bool paint(kinetic::DistanceGrid& grid) noexcept;
   void keep_area() noexcept;
-  void heal(bool is_first) noexcept;
   void step() noexcept;
 
   const Font& font_;
