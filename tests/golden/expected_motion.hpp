@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "fbe224709bff71f427be479fd01590c033b99746d576566903e10140d36e484a";
+    "2466fc97f7e484d8b672e0c72cf12b354bf8da4c6029d8b91d839ecc211819fd";
 inline constexpr const char* kClockHash =
     "49483bb85f8c6e5165f8706cfd0a24f5c4d2c322d7ab81cc489f080f881f4c64";
 inline constexpr const char* kParticlesHash =

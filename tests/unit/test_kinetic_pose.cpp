@@ -503,6 +503,42 @@ TEST(glyphs_that_slide_turn_without_a_jerk) {
   }
 }
 
+TEST(letters_keep_their_distance_on_bends) {
+  const Font& font = sample_font();
+  Run run;
+  CHECK_OK(lay_out(font, "AAAAA", Align::centre, run_glyphs, run));
+  const Q26_6 size = Q26_6::from_int(16);
+  const int32_t apart =
+      to_px_q16(font, size, run.glyphs[1].x - run.glyphs[0].x).raw >> 10;
+  // In a valley, on a crest, and around a circle.
+  constexpr int32_t kQuarters[] = {2, -2, 4};
+  for (const int32_t quarters : kQuarters) {
+    PathPoint points[65];
+    Path path(points);
+    const int32_t sign = quarters < 0 ? -1 : 1;
+    CHECK_OK(path.move_to(px(64 - 40 * 7 / 10, 64 + sign * 40 * 7 / 10)));
+    CHECK_OK(
+        path.arc_to(px(64, 64), Q16_16::from_raw(quarters * kOne / 4), 64));
+    PathPlace where;
+    where.size = size;
+    where.start.raw = path.length().raw / 2;
+    where.overflow = PathOverflow::wrap;
+    PosedGlyph last;
+    for (size_t i = 0; i < run.glyphs.size; ++i) {
+      const PosedGlyph glyph = place(font, run, i, path, where, {});
+      if (i != 0) {
+        const int64_t dx = glyph.at.x.raw - last.at.x.raw;
+        const int64_t dy = glyph.at.y.raw - last.at.y.raw;
+        const int64_t square = dx * dx + dy * dy;
+        const int64_t wanted = int64_t{apart} * apart;
+        CHECK(100 * square > 94 * wanted);  // 3 % less at most
+        CHECK(100 * square < 104 * wanted);
+      }
+      last = glyph;
+    }
+  }
+}
+
 TEST(hostile_poses_and_paths_do_no_harm) {
   const Font& font = sample_font();
   for (Rounds rounds(14, 300); rounds.next();) {

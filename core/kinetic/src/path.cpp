@@ -1,6 +1,7 @@
 // Polylines by length, and glyphs along them.
 #include "inkcell/kinetic/path.hpp"
 
+#include "base/modular.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 
@@ -23,6 +24,49 @@ int32_t cubic_at(const int32_t (&points)[4], Q16_16 t) noexcept {
   return lerp(lerp(a, b, t), lerp(b, c, t), t);
 }
 
+constexpr int32_t kMostRounds = 1 << 15;
+
+// How far a path has turned at a length. [turns, Q16] Within +-2^47.
+int64_t turn_at(const Path& path, int64_t length, bool wraps) noexcept {
+  int64_t rounds = 0;
+  if (wraps) {
+    const int64_t whole = path.length().raw;
+    rounds = length >= 0 ? length / whole : -((whole - 1 - length) / whole);
+    length -= rounds * whole;
+    rounds = clamp_i64(rounds, -kMostRounds, kMostRounds);
+  }
+  const Span<const PathPoint> points = path.points();
+  const int64_t round = points.size == 0 ? 0 : points[points.size - 1].turn.raw;
+  return rounds * round +
+         path.at(Q16_16::from_raw(clamp_i64(length, INT32_MIN, INT32_MAX)))
+             .turn.raw;
+}
+
+// The length of a path at which a curve `aside` to its left is `along` px long
+// since `start`: a turn of the path by an angle makes it shorter by the angle
+// times `aside`. [px, Q16]
+int64_t along_at(const Path& path,
+                 int64_t start,
+                 int64_t along,
+                 int64_t aside,
+                 bool wraps) noexcept {
+  constexpr int32_t kTries = 3;
+  constexpr int64_t kTurnQ16 = 411775;  // 2 pi
+  const int64_t first = turn_at(path, start, wraps);
+  // Converges where the path's radius is greater than `aside`; elsewhere it
+  // stays within twice the way.
+  const int64_t most = along < 0 ? -along : along;
+  int64_t at = start + along;
+  const int64_t aside_q8 = clamp_i64(aside, -kMostQ16, kMostQ16) >> 8;
+  for (int32_t i = 0; i < kTries; ++i) {
+    const int64_t turned =
+        clamp_i64(turn_at(path, at, wraps) - first, -(1 << 30), 1 << 30);
+    const int64_t more = aside_q8 * (turned * kTurnQ16 >> 16) >> 8;
+    at = start + along + (more < -most ? -most : more > most ? most : more);
+  }
+  return at;
+}
+
 }  // namespace
 
 Status Path::add(int64_t x_q16, int64_t y_q16) noexcept {
@@ -38,6 +82,19 @@ Status Path::add(int64_t x_q16, int64_t y_q16) noexcept {
         int64_t{last.length.raw} +
         length_of(point.x.raw - last.x.raw, point.y.raw - last.y.raw);
     point.length.raw = clamp_i64(length, 0, kLongestQ16);
+    // Halved, so that the difference fits; y up.
+    const Angle angle = angle_of(point.x.raw / 2 - last.x.raw / 2,
+                                 last.y.raw / 2 - point.y.raw / 2);
+    if (count_ == 1) {
+      heading_ = 0;
+    } else {
+      // At a joint the path has turned half of the way.
+      const auto turn = static_cast<int16_t>(angle.raw - angle_.raw);
+      points_[count_ - 1].turn.raw = detail::sum(heading_, turn / 2);
+      heading_ = detail::sum(heading_, turn);
+    }
+    angle_ = angle;
+    point.turn.raw = heading_;
   }
   points_[count_++] = point;
   return Status::ok;
@@ -121,13 +178,14 @@ PathPoint Path::at(Q16_16 length) const noexcept {
   const PathPoint& to = points_[high];
   const int64_t whole = to.length.raw - from.length.raw;
   const int64_t part = int64_t{length.raw} - from.length.raw;
+  const Q16_16 t = fraction(from.length.raw, to.length.raw, length.raw);
+  result.turn.raw = lerp(from.turn.raw, to.turn.raw, t);
   if (whole <= 0) {
     result.x = from.x;
     result.y = from.y;
     return result;
   }
   if (part >= 0 && part <= whole) {
-    const Q16_16 t = fraction(from.length.raw, to.length.raw, length.raw);
     result.x.raw = lerp(from.x.raw, to.x.raw, t);
     result.y.raw = lerp(from.y.raw, to.y.raw, t);
     return result;
@@ -150,14 +208,21 @@ PosedGlyph place(const Font& font,
                  const Pose& pose) noexcept {
   const RunGlyph& glyph = run.glyphs[index];
   const int64_t length = path.length().raw;
+  const bool wraps = where.overflow == PathOverflow::wrap && length > 0;
   const int64_t half = to_px_q16(font, where.size, glyph.advance).raw / 2;
-  int64_t middle = int64_t{where.start.raw} +
-                   to_px_q16(font, where.size, glyph.x).raw + half +
-                   int64_t{where.tracking.raw} * glyph.half_gaps * (1 << 9);
+  const int64_t along_q16 =
+      to_px_q16(font, where.size, glyph.x).raw + half +
+      int64_t{where.tracking.raw} * glyph.half_gaps * (1 << 9);
+  const Q16_16 pivot = pivot_height_px(where.size, where.pivot_height);
+  // From the path to the pivot, to the left of the path.
+  const int64_t aside = int64_t{pivot.raw} +
+                        int64_t{where.lift.raw} * (1 << 10) +
+                        to_px_q16(font, where.size, glyph.y).raw;
+  int64_t middle = along_at(path, where.start.raw, along_q16, aside, wraps);
   PosedGlyph posed;
   posed.glyph = glyph.glyph;
   posed.pose = pose;
-  if (where.overflow == PathOverflow::wrap && length > 0) {
+  if (wraps) {
     middle %= length;
     middle += middle < 0 ? length : 0;
   }
@@ -166,7 +231,7 @@ PosedGlyph place(const Font& font,
     posed.pose.opacity = 0;
   }
   const auto point_at = [&](int64_t at) {
-    if (where.overflow == PathOverflow::wrap && length > 0) {
+    if (wraps) {
       at += at < 0 ? length : at > length ? -length : 0;
     }
     return path.at(Q16_16::from_raw(clamp_i64(at, INT32_MIN, INT32_MAX)));
@@ -181,11 +246,7 @@ PosedGlyph place(const Font& font,
       angle_of(to.x.raw / 2 - from.x.raw / 2, from.y.raw / 2 - to.y.raw / 2);
   posed.pose.angle.raw = static_cast<uint16_t>(pose.angle.raw + along.raw);
   posed.pivot_x.raw = static_cast<int32_t>(half);
-  posed.pivot_y = pivot_height_px(where.size, where.pivot_height);
-  // From the path to the pivot, to the left of the path.
-  const int64_t aside = int64_t{posed.pivot_y.raw} +
-                        int64_t{where.lift.raw} * (1 << 10) +
-                        to_px_q16(font, where.size, glyph.y).raw;
+  posed.pivot_y = pivot;
   const int64_t x = on.x.raw - (aside * sine(along).raw >> 14);
   const int64_t y = on.y.raw - (aside * cosine(along).raw >> 14);
   posed.at.x.raw = static_cast<int32_t>((x + (1 << 9)) >> 10);

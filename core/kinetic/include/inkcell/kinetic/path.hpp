@@ -20,6 +20,7 @@ struct PathPoint {
   Q16_16 x;
   Q16_16 y;
   Q16_16 length;  // of the path up to here
+  Q16_16 turn;    // [turns] counter-clockwise, since the first chord
 };
 
 /// A polyline in the caller's memory, with the length up to each point.
@@ -69,6 +70,8 @@ class Path {
 
   Span<PathPoint> points_;
   size_t count_ = 0;
+  int32_t heading_ = 0;  // of the last chord, as PathPoint::turn
+  Angle angle_;          // of the last chord
 };
 
 /// What happens to glyphs outside of a path.
@@ -90,8 +93,9 @@ struct PathPlace {
 
 /// Places glyph `index` < run.glyphs.size on a path: the middle of its advance
 /// is on the path, its baseline on the chord below it, so that sliding glyphs
-/// turn smoothly. Kerning is measured along the path. Further lines run beside
-/// the first. A hidden glyph has opacity 0.
+/// turn smoothly. Advances and kerning are measured at the height of the pivot,
+/// so that letters neither touch in valleys nor part on crests. Further lines
+/// run beside the first. A hidden glyph has opacity 0.
 PosedGlyph place(const Font& font,
                  const Run& run,
                  size_t index,
