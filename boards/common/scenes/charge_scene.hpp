@@ -57,7 +57,8 @@ class ChargeScene : public TextScene {
                {in.x0, in.y0, in.x0 + (in.x1 - in.x0) * level / 100, in.y1});
     char number[4];
     size_t size = 0;
-    for (const int32_t part : {100, 10, 1}) {
+    constexpr int32_t kParts[] = {100, 10, 1};
+    for (const int32_t part : kParts) {
       if (level >= part || part == 1) {
         number[size++] = static_cast<char>('0' + level / part % 10);
       }

@@ -25,6 +25,7 @@ constexpr uint32_t kFly = 0x58d5ff;
 // Frames of a word.
 constexpr uint32_t kWordFrames = kLoopFrames / 2;
 constexpr uint32_t kBurst = 45;   // it falls apart
+constexpr uint32_t kNews = 70;    // distances of the other one are painted
 constexpr uint32_t kGather = 78;  // its pieces look for the other word
 constexpr uint32_t kMeet = 128;   // the plain word comes up
 constexpr uint32_t kRings = 146;  // it is there, and no dots are drawn
@@ -88,32 +89,45 @@ Text ParticleScene::word(int32_t index) const noexcept {
   return {text_.data + second, text_.size - second};
 }
 
-// Paints the distances of a word in the middle of the screen.
-bool ParticleScene::show_word(int32_t index) noexcept {
+// Places a word in the middle of the screen, and clears the distances.
+void ParticleScene::begin_word(int32_t index) noexcept {
   const TextMeasure ink = measure(font_, word(index));
-  const auto px_q6 = [&](int32_t units) {
-    return static_cast<int32_t>(int64_t{units} * size_.raw /
-                                font_.units_per_em());
-  };
   origin_ = {Q26_6::from_raw(width_ * 32 - px_q6(ink.x_min + ink.x_max) / 2),
              Q26_6::from_raw(height_ * 32 + px_q6(ink.y_min + ink.y_max) / 2)};
   grid_.clear();
-  TextCursor cursor(font_, word(index));
+  word_ = index;
+}
+
+int32_t ParticleScene::px_q6(int32_t units) const noexcept {
+  return static_cast<int32_t>(int64_t{units} * size_.raw /
+                              font_.units_per_em());
+}
+
+// Paints the distances of every letter of the word whose number is `part`
+// modulo `parts`.
+bool ParticleScene::paint_letters(uint32_t part, uint32_t parts) noexcept {
+  TextCursor cursor(font_, word(word_));
   PositionedGlyph glyph;
   bool is_painted = true;
-  while (cursor.next(glyph)) {
-    const Point at = {Q26_6::from_raw(origin_.x.raw + px_q6(glyph.x)),
-                      origin_.y};
-    is_painted = is_painted && grid_.paint(font_, glyph.glyph, size_, at,
-                                           workspace_) == Status::ok;
+  for (uint32_t i = 0; cursor.next(glyph); ++i) {
+    if (i % parts == part) {
+      const Point at = {Q26_6::from_raw(origin_.x.raw + px_q6(glyph.x)),
+                        origin_.y};
+      is_painted = is_painted && grid_.paint(font_, glyph.glyph, size_, at,
+                                             workspace_) == Status::ok;
+    }
   }
-  word_ = index;
   // The word and its rings: as far as the grid has distances.
   const Rect known = grid_.known_box();
   const int32_t side = 1 << grid_.scale_log2();
   word_box_ = {(known.x0 - 1) * side, (known.y0 - 1) * side,
                (known.x1 + 1) * side, (known.y1 + 1) * side};
   return is_painted;
+}
+
+bool ParticleScene::show_word(int32_t index) noexcept {
+  begin_word(index);
+  return paint_letters(0, 1);
 }
 
 Status ParticleScene::open() noexcept {
@@ -177,8 +191,14 @@ void ParticleScene::step() noexcept {
   if (phase == kBurst) {
     burst();
   }
+  // A letter in each frame; then the places of the pieces.
+  if (phase == kNews) {
+    begin_word(1 - index);
+  }
+  if (phase >= kNews && phase < kGather) {
+    static_cast<void>(paint_letters(phase - kNews, kGather - kNews));
+  }
   if (phase == kGather) {
-    static_cast<void>(show_word(1 - index));
     static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
   }
   ParticleRules rules;

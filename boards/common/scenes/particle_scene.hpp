@@ -58,6 +58,9 @@ class ParticleScene {
   void step() noexcept;
   void burst() noexcept;
   bool show_word(int32_t word) noexcept;
+  void begin_word(int32_t word) noexcept;
+  bool paint_letters(uint32_t part, uint32_t parts) noexcept;
+  int32_t px_q6(int32_t units) const noexcept;
   Text word(int32_t index) const noexcept;
   Rect drawn_box() const noexcept;
   void draw_rings(const Paper& paper) const noexcept;

@@ -21,15 +21,14 @@ using namespace kinetic;
 constexpr uint32_t kBackground = 0x0c1018;
 constexpr uint32_t kRing = 0x1a3854;
 constexpr uint32_t kBody = 0xf2e6cf;
-constexpr uint32_t kLine = 0x8a4b32;
 constexpr uint32_t kCore = 0xd9763f;
 
 // Frames of a loop.
 constexpr uint32_t kBegins = 20;
-constexpr uint32_t kEnds = 205;
+constexpr uint32_t kEnds = 185;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength
-constexpr uint32_t kGrows = 235;
-constexpr uint32_t kGrown = 265;
+constexpr uint32_t kGrows = 215;
+constexpr uint32_t kGrown = 245;
 // Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
 
@@ -133,10 +132,10 @@ void VortexScene::step() noexcept {
   Vortex vortex;
   vortex.x.raw = grid_.width() << 15;
   vortex.y.raw = grid_.height() << 15;
-  // At the core's edge a turn takes about 5 s, and nothing moves by more than a
+  // At the core's edge a turn takes about 6 s, and nothing moves by more than a
   // sample a step, which is faster to compute.
   vortex.core = grid_.height() / 5;
-  vortex.strength = lerp(0, vortex.core * vortex.core * 20, blow);
+  vortex.strength = lerp(0, vortex.core * vortex.core * 17, blow);
   Flow flow;
   flow.vortices = {&vortex, 1};
   advect(grid_, flow, next_);
@@ -170,15 +169,14 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
   }
 }
 
-// A ring outside, the body, a line along the inside of the edge, the core: all
-// drawn by distance.
+// A ring outside, the body, and its core: all drawn by distance.
 void VortexScene::draw(const Paper& paper) noexcept {
   struct Layer {
     int32_t offset_q6;  // [px] on screens of 240 rows
     uint32_t ink;
   };
   constexpr Layer kLayers[] = {
-      {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 16, kLine}, {-4 * 64, kCore}};
+      {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 32, kCore}};
   paper.fill(kBackground);
   // All layers thin by more than the grid knows, and what is left fades.
   const uint32_t phase = frame_ % kLoopFrames;
