@@ -89,6 +89,37 @@ Status lay_out(const Font& font,
   return Status::ok;
 }
 
+Status lay_out(const Font& font,
+               const ShapedRun& text,
+               Align align,
+               Span<RunGlyph> out,
+               Run& run) noexcept {
+  constexpr int64_t kFar = 1 << 24;  // as lay_out() of PositionedGlyph has it
+  const FontMetrics metrics = font.metrics();
+  Run result;
+  result.line_height = metrics.ascender - metrics.descender + metrics.line_gap;
+  size_t count = 0;
+  int32_t x = 0;
+  for (const ShapedGlyph& glyph : text.glyphs) {
+    x = clamp_i64(int64_t{x} + glyph.x, -kFar, kFar);
+    if (!has_ink(font, glyph.glyph)) {
+      continue;
+    }
+    if (count == out.size || count == 0x3fff) {
+      return Status::buffer_small;
+    }
+    out[count++] = {x, glyph.y, font.advance(glyph.glyph), glyph.glyph, 0,
+                    0, 0};
+  }
+  result.width = clamp_i64(text.advance, -kFar, kFar);
+  align_line(align, result.width, {out.data, count});
+  result.words = count != 0 ? 1 : 0;
+  result.lines = 1;
+  result.glyphs = {out.data, count};
+  run = result;
+  return Status::ok;
+}
+
 uint32_t unit_count(const Run& run, Unit unit) noexcept {
   return unit == Unit::glyph  ? static_cast<uint32_t>(run.glyphs.size)
          : unit == Unit::word ? run.words

@@ -6,6 +6,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/pose.hpp"
+#include "inkcell/shaped_run.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/text.hpp"
@@ -40,12 +41,24 @@ struct Run {
 };
 
 /// Lays text out with the font's advances and kerning. A line feed starts a
-/// line. Glyphs without ink separate words and are left out.
+/// line. Glyphs without ink separate words and are left out. Letters are not
+/// joined, and marks not placed: see below for scripts that need it.
 ///
 /// buffer_small: `out` holds fewer glyphs than the text; text.size always
 /// suffice. `run` is then untouched.
 Status lay_out(const Font& font,
                Text text,
+               Align align,
+               Span<RunGlyph> out,
+               Run& run) noexcept;
+
+/// The same of a line that was shaped when the program was built: ligatures,
+/// joined Arabic letters, placed marks. It is one word.
+///
+/// buffer_small: `out` holds fewer glyphs than the line; text.glyphs.size
+/// always suffice. `run` is then untouched.
+Status lay_out(const Font& font,
+               const ShapedRun& text,
                Align align,
                Span<RunGlyph> out,
                Run& run) noexcept;
