@@ -269,6 +269,60 @@ def check_new_font(editor):
                f"{line}: said {result.stderr!r}")
 
 
+def check_spacing(editor):
+    """Side bearings and kerning by dragging in a line of text."""
+    group = 'do {"do": "set_group", "group": "public.kern%d.%s", "value": %s}'
+    setting = ["glyph A", "text AVAW", "sizes 32", "preview 32 grey8 light"]
+    box = ["tool Rectangle", "press 50 0", "move 550 700", "release 550 700"]
+
+    def kerning(folder="K.ufo"):
+        file = editor.folder / folder / "kerning.plist"
+        return plistlib.loads(file.read_bytes()) if file.exists() else {}
+
+    before, = editor.run(
+        "new K.ufo A,V,W,0xC0 Mine 1000 750 -250 500 700", *setting, *box,
+        "glyph V", *box, "glyph W", *box, "glyph Agrave",
+        'do {"do": "add_component", "base": "A"}', "glyph A",
+        group % (1, "A", '["A", "Agrave"]'), group % (2, "V", '["V", "W"]'),
+        "print", "save_preview before.ppm", "save")
+    opened = ["open K.ufo", *setting]
+    editor.run(*opened, "key t", "press 800 300", "move 650 300",
+               "release 650 300", "save_preview after.ppm",
+               "screenshot line.ppm", "export K.ttf", "save")
+    expect(kerning() == {"public.kern1.A": {"public.kern2.V": -150}},
+           f"a dragged V kerns the groups: {kerning()}")
+    widths = [pixels(editor.folder / name)[0][0]
+              for name in ("before.ppm", "after.ppm")]
+    expect(widths[0] - widths[1] in (9, 10), f"kerning in the preview: {widths}")
+    editor.run("open K.ttf K2.ufo", "save")
+    values = [value for row in kerning("K2.ufo").values()
+              for value in row.values()]
+    expect(values and set(values) == {-150},
+           f"the exported font is kerned: {kerning('K2.ufo')}")
+    # Alt kerns the pair alone; undo takes it back.
+    alone, = editor.run(*opened, "key t", "press 650 300", "move 690 300 alt",
+                        "release 690 300", "save", "print")
+    expect(kerning().get("A") == {"V": -110}, f"an exception: {kerning()}")
+    editor.run(*opened, "key ctrl+z", "save")
+    expect("A" not in kerning(), "an undone exception")
+    # Bearings: the left edge moves the ink, and glyphs made of it stay.
+    left, right, back, first, accent = editor.run(
+        *opened, "key t", "press 2 300", "move -38 300", "release -38 300",
+        "print", "press 638 300", "move 668 300", "release 668 300", "print",
+        "key ctrl+z", "key ctrl+z", "print", "tool Select", "glyph Agrave",
+        "print", "key ctrl+y", "print")
+    expect(left["width"] == 640 and points_of(left)[0][0] == 90,
+           f"a left bearing: {left['width']}, {points_of(left)}")
+    expect(right["width"] == 670 and points_of(right) == points_of(left),
+           f"a right bearing: {right['width']}")
+    expect(back["width"] == 600 and points_of(back) == points_of(before),
+           "bearings are undone")
+    expect(first["points"] == accent["points"] and
+           first["bytes"] == accent["bytes"], "a glyph with A as a part stays")
+    result = editor.start(*opened, "key t", "press 300 300", "move 320 300")
+    expect("between two glyphs" in result.stderr, result.stderr)
+
+
 def check_clipboard(editor):
     """Copies within a glyph and between glyphs."""
     before, twice, pasted, gone = editor.run(
@@ -471,6 +525,7 @@ def main():
         check_new_font(editor)
         check_overlaps(editor)
         check_smooth_points(editor)
+        check_spacing(editor)
         check_clipboard(editor)
         check_levels(editor)
         check_latency(editor)

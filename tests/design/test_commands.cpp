@@ -236,5 +236,18 @@ TEST_F(Commands, SayWhatIsWrongWithAPicture) {
                 "name");
 }
 
+TEST_F(Commands, SetBearingsMovesInkAndLeavesUsersInPlace) {
+  add_square();
+  run(R"({"do": "add_glyph", "glyph": "b", "width": 500})");
+  run(R"({"do": "add_component", "glyph": "b", "base": "a",
+          "matrix": {"scale": 0.5, "move": [100, 0]}})");
+  run(R"({"do": "set_bearings", "glyph": "a", "left": 40, "right": 30})");
+  EXPECT_EQ(project_.glyph("a")->width, 570);
+  EXPECT_EQ(project_.glyph("a")->contours[0].points[0].x, 40);
+  EXPECT_EQ(project_.glyph("b")->components[0].matrix.dx, 80);
+  EXPECT_NE(refusal_of(R"({"do": "set_bearings", "glyph": "a", "left": -700})"),
+            "");
+}
+
 }  // namespace
 }  // namespace inkcell::design::test

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/output.hpp"
 #include "editor/glyph_set.hpp"
+#include "editor/spacing.hpp"
 #include "export/rom.hpp"
 #include "export/ttf.hpp"
 #include "import/font_import.hpp"
@@ -13,6 +13,8 @@
 #include "model/commands.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
+#include "shape/points.hpp"
+#include "stroke/nib.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -35,10 +37,6 @@ bool needs_glyph(const Value& command) {
          name.find("info") == std::string::npos &&
          name.find("kerning") == std::string::npos &&
          name.find("group") == std::string::npos && name != "set_lib";
-}
-
-bool has_source(const Glyph& glyph) {
-  return glyph.lib.contains(kStrokesKey) || glyph.lib.contains(kTreeKey);
 }
 
 void check_new(const fs::path& folder) {
@@ -108,10 +106,8 @@ void View::zoom(double factor, Point at) {
 }
 
 std::string NibSettings::text() const {
-  char buffer[96];
-  std::snprintf(buffer, sizeof buffer, "%s:%g,%g,%g",
-                is_rectangle ? "rectangle" : "ellipse", width, height, angle);
-  return buffer;
+  return text_of(Nib{is_rectangle ? Nib::Kind::rectangle : Nib::Kind::ellipse,
+                     width, height, gen::kDegree * angle});
 }
 
 Editor::Editor() : tool_(make_tool(tool_kind_)) {
@@ -258,7 +254,9 @@ void Editor::show(const std::string& glyph) {
   glyph_ = name;
   had_source_ = has_source(*project().find(name));
   select_nothing();
-  fit_view();
+  if (tool_kind_ != ToolKind::spacing) {  // the line of text is shown
+    fit_view();
+  }
 }
 
 void Editor::step(int by) {
@@ -280,8 +278,8 @@ GlyphPointer Editor::glyph() const {
 
 Project Editor::shown_project() const {
   Project shown = project();
-  if (proposal_ && proposal_->glyph != nullptr) {
-    shown.front().glyphs[glyph_] = proposal_->glyph;
+  if (proposal_) {
+    shown.apply(proposal_->change);
   }
   return shown;
 }
@@ -385,8 +383,13 @@ void Editor::set_tool(ToolKind kind) {
   if (is_open()) {
     tool_->cancel(*this);
   }
+  const bool is_other_canvas =
+      (kind == ToolKind::spacing) != (tool_kind_ == ToolKind::spacing);
   tool_kind_ = kind;
   tool_ = make_tool(kind);
+  if (is_other_canvas && is_open()) {
+    fit_view();
+  }
 }
 
 void Editor::fit_view() {
@@ -398,11 +401,13 @@ void Editor::fit_view() {
   const double em = project().units_per_em();
   const double top = info.value("ascender", 0.8 * em);
   const double bottom = info.value("descender", -0.2 * em);
-  view.x = shown->width / 2;
+  const double width = tool_kind_ == ToolKind::spacing
+                           ? width_of(line_of_text(project(), preview.text))
+                           : shown->width;
+  view.x = width / 2;
   view.y = (top + bottom) / 2;
-  view.scale =
-      kFitPart * std::min(view.height / std::max(top - bottom, 1.0),
-                          view.width / std::max(shown->width, 0.6 * em));
+  view.scale = kFitPart * std::min(view.height / std::max(top - bottom, 1.0),
+                                   view.width / std::max(width, 0.6 * em));
 }
 
 PreviewJob Editor::preview_job() const {

@@ -18,6 +18,9 @@ const std::vector<ToolInfo>& tool_list() {
       {ToolKind::stroke, "Stroke", "b", "Draw a stroke with the nib"},
       {ToolKind::measure, "Measure", "l",
        "Drag a line; its length and what it passes through are shown"},
+      {ToolKind::spacing, "Spacing", "t",
+       "Drag a glyph of the line to kern its group, with Alt only the pair; "
+       "drag a dashed line for a side bearing"},
   };
   return list;
 }
@@ -33,6 +36,8 @@ std::unique_ptr<Tool> make_tool(ToolKind kind) {
       return make_shape_tool(kind);
     case ToolKind::stroke:
       return make_stroke_tool();
+    case ToolKind::spacing:
+      return make_spacing_tool();
     case ToolKind::measure:
       return make_measure_tool();
     default:

@@ -23,6 +23,7 @@ enum class ToolKind {
   ellipse,
   stroke,
   measure,
+  spacing,
 };
 
 /// A tool's name and help.
@@ -79,5 +80,6 @@ std::unique_ptr<Tool> make_knife_tool();
 std::unique_ptr<Tool> make_measure_tool();
 std::unique_ptr<Tool> make_shape_tool(ToolKind kind);
 std::unique_ptr<Tool> make_stroke_tool();
+std::unique_ptr<Tool> make_spacing_tool();
 
 }  // namespace inkcell::design::editor

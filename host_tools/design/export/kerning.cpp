@@ -136,31 +136,37 @@ KerningLookup::KerningLookup(const FontData& font) : font_(font) {
   }
 }
 
-double KerningLookup::value(const std::string& left,
-                            const std::string& right) const {
-  const auto group = [](const std::map<std::string, std::string>& groups,
-                        const std::string& glyph) {
-    const auto found = groups.find(glyph);
-    return found == groups.end() ? std::string() : found->second;
-  };
-  const std::string left_group = group(left_group_, left);
-  const std::string right_group = group(right_group_, right);
+std::string KerningLookup::left_group(const std::string& glyph) const {
+  const auto found = left_group_.find(glyph);
+  return found == left_group_.end() ? std::string() : found->second;
+}
+
+std::string KerningLookup::right_group(const std::string& glyph) const {
+  const auto found = right_group_.find(glyph);
+  return found == right_group_.end() ? std::string() : found->second;
+}
+
+std::pair<std::string, std::string> KerningLookup::entry(
+    const std::string& left, const std::string& right) const {
+  const std::string lefts = left_group(left);
+  const std::string rights = right_group(right);
   const std::pair<std::string, std::string> order[] = {
-      {left, right},
-      {left, right_group},
-      {left_group, right},
-      {left_group, right_group}};
+      {left, right}, {left, rights}, {lefts, right}, {lefts, rights}};
   for (const auto& [first, second] : order) {
     const auto row = font_.kerning.find(first);
-    if (first.empty() || second.empty() || row == font_.kerning.end()) {
-      continue;
-    }
-    const auto found = row->find(second);
-    if (found != row->end() && found->is_number()) {
-      return found->get<double>();
+    if (!first.empty() && !second.empty() && row != font_.kerning.end() &&
+        row->contains(second) && (*row)[second].is_number()) {
+      return {first, second};
     }
   }
-  return 0;
+  return {lefts.empty() ? left : lefts, rights.empty() ? right : rights};
+}
+
+double KerningLookup::value(const std::string& left,
+                            const std::string& right) const {
+  const auto [first, second] = entry(left, right);
+  const auto row = font_.kerning.find(first);
+  return row == font_.kerning.end() ? 0 : row->value(second, 0.0);
 }
 
 gen::KerningMatrix kerning_of(const FontData& font,

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "export/sfnt.hpp"
@@ -47,6 +48,13 @@ class KerningLookup {
   explicit KerningLookup(const FontData& font);
 
   double value(const std::string& left, const std::string& right) const;
+  /// The entry of kerning that decides: glyphs or groups. Without one, that of
+  /// both groups, or of a glyph where it has none.
+  std::pair<std::string, std::string> entry(const std::string& left,
+                                            const std::string& right) const;
+  /// The group of a glyph on the left or on the right of pairs; may be "".
+  std::string left_group(const std::string& glyph) const;
+  std::string right_group(const std::string& glyph) const;
 
  private:
   const FontData& font_;

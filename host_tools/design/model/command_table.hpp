@@ -6,6 +6,7 @@
 
 #include "model/arguments.hpp"
 #include "model/project.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design {
 
@@ -14,6 +15,7 @@ using CommandFunction = Change (*)(const Project& project,
 using CommandTable = std::map<std::string, CommandFunction>;
 
 void add_batch_command(CommandTable& table);
+void add_bearing_commands(CommandTable& table);
 void add_glyph_commands(CommandTable& table);
 void add_image_commands(CommandTable& table);
 void add_part_commands(CommandTable& table);
@@ -27,10 +29,6 @@ size_t layer_of(const Project& project, const Arguments& arguments);
 /// Removes pictures that no glyph uses after `change`, which only changes
 /// glyphs.
 void drop_unnamed_images(const Project& project, Change& change);
-
-/// Keys of a glyph's lib: the source of its outline.
-inline constexpr const char* kStrokesKey = "org.inkcell.strokes";
-inline constexpr const char* kTreeKey = "org.inkcell.tree";
 
 /// The change made by `edit` on a copy of the glyph named by "glyph". A source
 /// that no longer agrees with the contours goes, unless `edit` sets it.

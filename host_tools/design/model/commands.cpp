@@ -10,6 +10,7 @@ const CommandTable& command_table() {
   static const CommandTable table = [] {
     CommandTable all;
     add_batch_command(all);
+    add_bearing_commands(all);
     add_glyph_commands(all);
     add_image_commands(all);
     add_part_commands(all);

@@ -178,23 +178,27 @@ Change transform(const Project& project, const Arguments& arguments) {
   const Matrix matrix = arguments.matrix("matrix");
   const bool round = arguments.flag("round", true);
   const auto snap = [round](double v) { return round ? std::round(v) : v; };
-  return edited(project, arguments, [&](Glyph& glyph) {
-    for (PointContour& contour : glyph.contours) {
-      for (GlyphPoint& point : contour.points) {
-        const gen::Point to = matrix.map(point.x, point.y);
-        point.x = snap(to.x);
-        point.y = snap(to.y);
-      }
-    }
-    for (Anchor& anchor : glyph.anchors) {
-      const gen::Point to = matrix.map(anchor.x, anchor.y);
-      anchor.x = snap(to.x);
-      anchor.y = snap(to.y);
-    }
-    for (ComponentUse& use : glyph.components) {
-      use.matrix = product(matrix, use.matrix);
-    }
-  });
+  return edited(
+      project, arguments,
+      [&](Glyph& glyph) {
+        for (PointContour& contour : glyph.contours) {
+          for (GlyphPoint& point : contour.points) {
+            const gen::Point to = matrix.map(point.x, point.y);
+            point.x = snap(to.x);
+            point.y = snap(to.y);
+          }
+        }
+        for (Anchor& anchor : glyph.anchors) {
+          const gen::Point to = matrix.map(anchor.x, anchor.y);
+          anchor.x = snap(to.x);
+          anchor.y = snap(to.y);
+        }
+        for (ComponentUse& use : glyph.components) {
+          use.matrix = product(matrix, use.matrix);
+        }
+        transform_source(matrix, glyph);
+      },
+      true);
 }
 
 }  // namespace

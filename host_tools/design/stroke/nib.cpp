@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "model/error.hpp"
@@ -55,6 +56,14 @@ Nib parse_nib(const std::string& text) {
     refuse();
   }
   return nib;
+}
+
+std::string text_of(const Nib& nib) {
+  char buffer[96];
+  std::snprintf(buffer, sizeof buffer, "%s:%.9g,%.9g,%.9g",
+                nib.kind == Nib::Kind::rectangle ? "rectangle" : "ellipse",
+                nib.width, nib.height, nib.angle / gen::kDegree);
+  return buffer;
 }
 
 int corner_count(const Nib& nib, double bound) {

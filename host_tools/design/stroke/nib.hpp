@@ -26,6 +26,7 @@ inline constexpr double kLeastNib_u = 1.0 / 16;
 /// angle [degrees]. The default height is the width, the default angle 0.
 /// Throws Error.
 Nib parse_nib(const std::string& text);
+std::string text_of(const Nib& nib);
 
 /// The number of corners that puts an ellipse within `bound` of the polygon
 /// [u]; 4 for a rectangle. All nibs of a stroke use the same number.

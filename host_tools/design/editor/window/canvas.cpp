@@ -112,6 +112,13 @@ void draw_canvas(Panels& panels) {
   handle_pointer(editor, origin);
   draw_grid(editor.view, origin);
   const OutlineLayer layer(panels, origin);
+  if (editor.tool_kind() == ToolKind::spacing) {
+    layer.draw_zones();
+    layer.draw_line();
+    layer.draw_marks();
+    draw_heading(editor, origin);
+    return;
+  }
   layer.draw_fill();
   layer.draw_background();
   layer.draw_zones();

@@ -86,6 +86,11 @@ void draw_icon(ToolKind kind, ImVec2 at, float side, ImU32 colour) {
       icon.lines({{5.2f, 7.8f}, {6.8f, 9.4f}}, false);
       icon.lines({{8.2f, 4.8f}, {9.8f, 6.4f}}, false);
       break;
+    case ToolKind::spacing:
+      icon.lines({{1, 13}, {4.2f, 3}, {7.4f, 13}}, false);
+      icon.lines({{2.2f, 9.5f}, {6.2f, 9.5f}}, false);
+      icon.lines({{8.6f, 3}, {11.8f, 13}, {15, 3}}, false);
+      break;
   }
 }
 

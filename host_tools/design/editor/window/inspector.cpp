@@ -1,9 +1,13 @@
 // The properties of the selection, and the nib.
+#include <imgui_stdlib.h>
+
 #include <cmath>
 
 #include "editor/actions.hpp"
 #include "editor/edits.hpp"
+#include "editor/spacing.hpp"
 #include "editor/window/panels.hpp"
+#include "model/bearings.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -23,6 +27,57 @@ void draw_advance(Editor& editor) {
     attempt(editor, [&] {
       editor.run({{"do", "set_advance"}, {"width", width}});
     });
+  }
+}
+
+void draw_bearings(Editor& editor) {
+  std::optional<Bearings> now;
+  attempt(editor,
+          [&] { now = bearings_of(editor.shown_project(), *editor.glyph()); });
+  if (!now) {
+    return;
+  }
+  bool is_changed = number("Left", now->left);
+  tooltip("The space left of the ink; glyphs with this part stay");
+  ImGui::SameLine(0, px(18));
+  is_changed |= number("Right", now->right);
+  tooltip("The space right of the ink");
+  if (is_changed) {
+    attempt(editor, [&] {
+      editor.run({{"do", "set_bearings"},
+                  {"left", std::round(now->left)},
+                  {"right", std::round(now->right)}});
+    });
+  }
+}
+
+// The kerning groups of the glyph, and what else is in them.
+void draw_groups(Editor& editor) {
+  for (const bool is_left : {true, false}) {
+    std::string group =
+        group_of(editor.project(), editor.glyph_name(), is_left);
+    const std::string key =
+        (is_left ? "public.kern1." : "public.kern2.") + group;
+    ImGui::SetNextItemWidth(px(kField));
+    ImGui::InputText(is_left ? "Group before others" : "Group after others",
+                     &group);
+    const bool is_changed = ImGui::IsItemDeactivatedAfterEdit();
+    tooltip("Glyphs of a group are kerned alike; empty: no group");
+    std::string members;
+    for (const Value& member :
+         editor.project().font->groups.value(key, Value::array())) {
+      members += member.get<std::string>() + " ";
+    }
+    ImGui::TextDisabled("%s", members.c_str());
+    if (is_changed) {
+      attempt(editor, [&] {
+        const Value command =
+            join_group(editor.project(), editor.glyph_name(), is_left, group);
+        if (!command.is_null()) {
+          editor.run(command);
+        }
+      });
+    }
   }
 }
 
@@ -147,6 +202,13 @@ void draw_inspector(Panels& panels) {
   }
   ImGui::TextDisabled("Glyph");
   draw_advance(editor);
+  draw_bearings(editor);
+  if (editor.tool_kind() == ToolKind::spacing) {
+    ImGui::Separator();
+    ImGui::TextDisabled("Kerning groups");
+    draw_groups(editor);
+    return;
+  }
   if (!editor.glyph()->components.empty()) {
     ImGui::TextDisabled("Components");
     draw_components(editor);

@@ -56,7 +56,7 @@ PreviewKey key_of(const Editor& editor) {
   const PreviewSettings& s = editor.preview;
   text << static_cast<int>(s.display) << s.dark << s.cells << ' ' << s.glyph_px
        << ' ' << s.text;
-  return {editor.glyph(), editor.project().font, text.str()};
+  return {editor.glyph(), editor.shown_project().font, text.str()};
 }
 
 void handle_window_key(Panels& panels, const std::string& key) {

@@ -41,6 +41,9 @@ void OutlineLayer::draw_zones() const {
     list_.AddText({origin_.x + px(8), at - ImGui::GetFontSize() - px(1)},
                   colour::kFaint, text);
   }
+  if (panels_.editor.tool_kind() == ToolKind::spacing) {
+    return;
+  }
   for (const double x : {0.0, glyph_->width}) {
     const float at = std::round(map(x, 0).x);
     list_.AddRectFilled({at, origin_.y},
@@ -129,7 +132,8 @@ void OutlineLayer::draw_background() const {
 // Row by row, as the union of all contours.
 void OutlineLayer::fill(const gen::Shape& shape,
                         double scale,
-                        ImU32 colour) const {
+                        ImU32 colour,
+                        double x) const {
   const double top =
       std::max(0.0, view_.to_canvas({0, shape.box().y1 / scale}).y);
   const double bottom =
@@ -140,8 +144,9 @@ void OutlineLayer::fill(const gen::Shape& shape,
     shape.crossings(scale * y, places);
     for (size_t i = 0; i + 1 < places.size(); i += 2) {
       const float at = origin_.y + to_float(row);
-      list_.AddRectFilled({map(places[i] / scale, 0).x, at},
-                          {map(places[i + 1] / scale, 0).x, at + 1}, colour);
+      list_.AddRectFilled({map(x + places[i] / scale, 0).x, at},
+                          {map(x + places[i + 1] / scale, 0).x, at + 1},
+                          colour);
     }
   }
 }

@@ -22,11 +22,16 @@ class OutlineLayer {
   void draw_contours() const;
   void draw_points() const;
   void draw_marks() const;
+  /// The line of text of the Spacing tool.
+  void draw_line() const;
 
  private:
   ImVec2 map(double x, double y) const;
   std::shared_ptr<const tools::Image> background() const;
-  void fill(const gen::Shape& shape, double scale, ImU32 colour) const;
+  void fill(const gen::Shape& shape,
+            double scale,
+            ImU32 colour,
+            double x = 0) const;
   void outline(const PointContour& contour, ImU32 colour) const;
   void handles(const PointContour& contour) const;
 

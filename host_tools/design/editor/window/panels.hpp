@@ -30,6 +30,12 @@ struct BackgroundPicture {
   std::shared_ptr<const tools::Image> image;  // null: it cannot be shown
 };
 
+/// The shape of a glyph in the line of the Spacing tool.
+struct LineShape {
+  GlyphPointer glyph;
+  std::shared_ptr<const gen::Shape> shape;
+};
+
 /// Shared state of the panels, beside the editor.
 struct Panels {
   Panels(Editor& shown, Textures& kept) : editor(shown), textures(kept) {}
@@ -45,6 +51,7 @@ struct Panels {
   // The filled shape on the canvas: the glyph without components.
   GlyphPointer filled;
   std::shared_ptr<const gen::Shape> shape;
+  std::vector<LineShape> line_shapes;
   BackgroundPicture background;
 };
 
