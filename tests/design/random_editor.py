@@ -23,8 +23,9 @@ KEYS = ("escape delete s ctrl+a ctrl+x ctrl+c ctrl+v ctrl+d ctrl+z ctrl+y "
         "ctrl+s ctrl+shift+a g shift+g pagedown pageup 0 = - d c shift+l left "
         "shift+up ctrl+right v p e r o b l ctrl+u").split()
 ACTIONS = ("Unite", "Subtract", "Intersect", "Exclude", "Convert to cubics",
-           "Reverse contours", "Revert")
-TOOLS = "Select Pen Knife Rectangle Ellipse Stroke Measure".split()
+           "Reverse contours", "Revert", "Turn left", "Reflect left and right",
+           "Align top", "Distribute across")
+TOOLS = "Select Pen Knife Rectangle Ellipse Stroke Measure Spacing".split()
 COMMANDS = (
     {"do": "add_component", "base": "A"}, {"do": "add_component", "base": "O"},
     {"do": "decompose"}, {"do": "round_points"},
@@ -36,6 +37,8 @@ COMMANDS = (
     {"do": "add_guideline", "x": 10, "y": 20, "angle": 30},
     {"do": "set_guideline", "guideline": 0, "y": 500},
     {"do": "transform", "matrix": {"turn": 90}},
+    {"do": "set_bearings", "left": 40, "right": -9},
+    {"do": "transform", "matrix": {"slant": 12}, "about": "middle"},
     {"do": "set_image"}, {"do": "set_image", "file": "p.png"},
     {"do": "set_image", "file": "p.png", "data": PICTURE,
      "matrix": {"scale": [900, -500], "turn": 30, "move": [100, 200]}})

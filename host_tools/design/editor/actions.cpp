@@ -111,11 +111,8 @@ void add_guide(Editor& editor, bool is_upright) {
 
 void reverse_selected(Editor& editor) {
   std::vector<Value> commands;
-  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
-    const auto first = editor.selection.lower_bound({c, 0});
-    if (first != editor.selection.end() && first->contour == c) {
-      commands.push_back({{"do", "reverse_contour"}, {"contour", c}});
-    }
+  for (const Value& contour : selected_contours(editor)) {
+    commands.push_back({{"do", "reverse_contour"}, {"contour", contour}});
   }
   if (!commands.empty()) {
     editor.selection.clear();
@@ -125,13 +122,7 @@ void reverse_selected(Editor& editor) {
 
 // Combines the selected contours with the others.
 void combine(Editor& editor, const char* operation) {
-  Value contours = Value::array();
-  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
-    const auto first = editor.selection.lower_bound({c, 0});
-    if (first != editor.selection.end() && first->contour == c) {
-      contours.push_back(c);
-    }
-  }
+  Value contours = selected_contours(editor);
   const size_t all = editor.glyph()->contours.size();
   if (std::string(operation) != "union" &&
       (contours.empty() || contours.size() == all)) {
@@ -143,6 +134,20 @@ void combine(Editor& editor, const char* operation) {
               {"contours", std::move(contours)}});
   editor.message = {std::to_string(all) + " contours became " +
                     std::to_string(editor.glyph()->contours.size())};
+}
+
+Action transformed(const char* name, const char* keys, const Value& matrix) {
+  return {name, keys,
+          [matrix](Editor& e) { e.run(transform_selection(e, matrix)); }};
+}
+
+// An action on the selected contours.
+Action arranged(const char* name, const Value& command) {
+  return {name, "", [command](Editor& e) {
+            Value run = command;
+            run["contours"] = selected_contours(e);
+            e.run(run);
+          }};
 }
 
 void zoom(Editor& editor, double factor) {
@@ -184,6 +189,10 @@ std::vector<Action> make_list() {
       {"Subtract", "", [](Editor& e) { combine(e, "difference"); }},
       {"Intersect", "", [](Editor& e) { combine(e, "intersection"); }},
       {"Exclude", "", [](Editor& e) { combine(e, "exclusion"); }},
+      transformed("Reflect left and right", "", {{"reflect", "x"}}),
+      transformed("Reflect up and down", "", {{"reflect", "y"}}),
+      transformed("Turn left", "", {{"turn", 90}}),
+      transformed("Turn right", "", {{"turn", -90}}),
       {"Convert to cubics", "",
        [](Editor& e) {
          e.run({{"do", "to_cubics"}});
@@ -211,6 +220,18 @@ std::vector<Action> make_list() {
        [](Editor& e) { e.shows_layers = !e.shows_layers; }},
       {"Cells", "c", [](Editor& e) { e.preview.cells = !e.preview.cells; }},
   };
+  for (const auto& [name, to] :
+       {std::pair("Align left", "left"), std::pair("Align centres", "centre"),
+        std::pair("Align right", "right"), std::pair("Align top", "top"),
+        std::pair("Align middles", "middle"),
+        std::pair("Align bottom", "bottom")}) {
+    list.push_back(arranged(name, {{"do", "align_contours"}, {"to", to}}));
+  }
+  for (const auto& [name, along] : {std::pair("Distribute across", "x"),
+                                    std::pair("Distribute upwards", "y")}) {
+    list.push_back(
+        arranged(name, {{"do", "distribute_contours"}, {"along", along}}));
+  }
   for (const ToolInfo& tool : tool_list()) {
     const ToolKind kind = tool.kind;
     list.push_back(

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "model/arguments.hpp"
 #include "shape/points.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -49,6 +51,19 @@ std::vector<size_t> handles_of(const PointContour& contour, size_t point) {
     }
   }
   return handles;
+}
+
+Selection with_handles(const Glyph& glyph, const Selection& selection) {
+  Selection all = selection;
+  for (const PointId id : selection) {
+    const PointContour& contour = glyph.contours[id.contour];
+    if (contour.points[id.point].on_curve()) {
+      for (const size_t handle : handles_of(contour, id.point)) {
+        all.insert({id.contour, handle});
+      }
+    }
+  }
+  return all;
 }
 
 Value set_point(PointId id, double x, double y) {
@@ -231,15 +246,7 @@ Value move_selection(const Glyph& glyph,
                      const Selection& selection,
                      double dx,
                      double dy) {
-  Selection moving = selection;
-  for (const PointId id : selection) {
-    const PointContour& contour = glyph.contours[id.contour];
-    if (contour.points[id.point].on_curve()) {
-      for (const size_t handle : handles_of(contour, id.point)) {
-        moving.insert({id.contour, handle});
-      }
-    }
-  }
+  Selection moving = with_handles(glyph, selection);
   if (moving.empty()) {
     return nullptr;
   }
@@ -336,6 +343,48 @@ Value align_points(const Glyph& glyph, const Selection& selection) {
     }
   }
   return commands.empty() ? Value() : batch(std::move(commands));
+}
+
+Value transform_selection(const Editor& editor, const Value& matrix) {
+  const Project& project = editor.project();
+  const GlyphPointer glyph = project.find(editor.glyph_name());
+  Value command = {{"do", "transform"}, {"matrix", matrix}};
+  if (editor.component) {
+    const ComponentUse& use = glyph->components[*editor.component];
+    Glyph alone;
+    alone.components = {use};
+    const gen::Shape shape(outline_of(project, alone));
+    const double scale = project.units_per_em() / gen::kUPerEm;
+    const double x = std::round(scale * (shape.box().x0 + shape.box().x1) / 2);
+    const double y = std::round(scale * (shape.box().y0 + shape.box().y1) / 2);
+    Matrix to;
+    to.dx = -x;
+    to.dy = -y;
+    to = product(Arguments(command).matrix("matrix"), product(to, use.matrix));
+    return {{"do", "set_component"},
+            {"component", *editor.component},
+            {"matrix", {to.xx, to.xy, to.yx, to.yy, to.dx + x, to.dy + y}}};
+  }
+  command["about"] = "middle";
+  if (!editor.selection.empty()) {
+    Value points = Value::array();
+    for (const PointId id : with_handles(*glyph, editor.selection)) {
+      points.push_back({id.contour, id.point});
+    }
+    command["points"] = points;
+  }
+  return command;
+}
+
+Value selected_contours(const Editor& editor) {
+  Value contours = Value::array();
+  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
+    const auto first = editor.selection.lower_bound({c, 0});
+    if (first != editor.selection.end() && first->contour == c) {
+      contours.push_back(c);
+    }
+  }
+  return contours;
 }
 
 Value curve_line(const Glyph& glyph, PointId id) {

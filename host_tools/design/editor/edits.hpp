@@ -28,6 +28,13 @@ Value delete_points(const Glyph& glyph, const Selection& selection);
 /// Handles move with them. Null for fewer than two points.
 Value align_points(const Glyph& glyph, const Selection& selection);
 
+/// Maps the selected component or points with their handles, or without a
+/// selection the glyph, about the middle. `matrix` as in commands.
+Value transform_selection(const Editor& editor, const Value& matrix);
+
+/// The contours with a selected point.
+Value selected_contours(const Editor& editor);
+
 /// Converts the line that ends at the point `id` to a cubic of the same shape.
 /// Null if no line ends there.
 Value curve_line(const Glyph& glyph, PointId id);

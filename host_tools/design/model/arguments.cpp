@@ -42,16 +42,20 @@ Matrix turned(double degrees) {
   return m;
 }
 
+constexpr double kMostSlant = 85;  // [degrees]
+
 // False if a step is unknown or wrong.
 bool read_parts(const Value& parts, Matrix& m) {
   double x = 1;
   double y = 1;
   for (const auto& [key, part] : parts.items()) {
-    const bool is_known = key == "reflect" ? part == "x" || part == "y"
-                          : key == "turn"  ? is_finite(part)
-                          : key == "scale"
-                              ? read_pair(part, true, x, y)
-                              : key == "move" && read_pair(part, false, x, y);
+    const bool is_known =
+        key == "reflect" ? part == "x" || part == "y"
+        : key == "turn"  ? is_finite(part)
+        : key == "slant"
+            ? is_finite(part) && std::abs(part.get<double>()) < kMostSlant
+        : key == "scale" ? read_pair(part, true, x, y)
+                         : key == "move" && read_pair(part, false, x, y);
     if (!is_known) {
       return false;
     }
@@ -61,6 +65,11 @@ bool read_parts(const Value& parts, Matrix& m) {
   }
   if (parts.contains("reflect")) {
     (parts["reflect"] == "x" ? m.xx : m.yy) *= -1;
+  }
+  if (parts.contains("slant")) {
+    Matrix slant;
+    slant.yx = std::tan(gen::kDegree * parts["slant"].get<double>());
+    m = product(slant, m);
   }
   if (parts.contains("turn")) {
     m = product(turned(parts["turn"].get<double>()), m);

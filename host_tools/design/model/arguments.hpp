@@ -32,8 +32,9 @@ class Arguments {
   const Value& value(const char* key) const;
   /// A matrix: six numbers, xx xy yx yy dx dy, or a dictionary of steps,
   /// applied in this order: "reflect" ("x": swaps left and right, or "y"),
-  /// "scale" (a number, or one for x and one for y), "turn" (degrees,
-  /// counter-clockwise), "move" ([dx, dy]). The identity by default.
+  /// "scale" (a number, or one for x and one for y), "slant" (degrees, to the
+  /// right), "turn" (degrees, counter-clockwise), "move" ([dx, dy]). The
+  /// identity by default.
   Matrix matrix(const char* key) const;
 
   /// Throws Error "command 'move_points': <text>".

@@ -22,6 +22,7 @@ void add_part_commands(CommandTable& table);
 void add_point_commands(CommandTable& table);
 void add_font_commands(CommandTable& table);
 void add_source_commands(CommandTable& table);
+void add_transform_commands(CommandTable& table);
 
 /// The layer named by "layer", by default the first.
 size_t layer_of(const Project& project, const Arguments& arguments);
@@ -47,8 +48,7 @@ Change edited(const Project& project,
   Glyph glyph = *change.before;
   edit(glyph);
   if (!sets_source && !(glyph.contours == change.before->contours)) {
-    glyph.lib.erase(kStrokesKey);
-    glyph.lib.erase(kTreeKey);
+    drop_source(glyph);
   }
   change.after = std::make_shared<const Glyph>(std::move(glyph));
   Change result;

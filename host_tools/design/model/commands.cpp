@@ -17,6 +17,7 @@ const CommandTable& command_table() {
     add_point_commands(all);
     add_font_commands(all);
     add_source_commands(all);
+    add_transform_commands(all);
     return all;
   }();
   return table;

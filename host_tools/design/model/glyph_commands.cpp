@@ -1,6 +1,5 @@
 // Commands on glyphs as a whole.
 #include <algorithm>
-#include <cmath>
 
 #include "model/command_table.hpp"
 #include "model/glyph_names.hpp"
@@ -174,33 +173,6 @@ Change set_glyph_lib(const Project& project, const Arguments& arguments) {
   });
 }
 
-Change transform(const Project& project, const Arguments& arguments) {
-  const Matrix matrix = arguments.matrix("matrix");
-  const bool round = arguments.flag("round", true);
-  const auto snap = [round](double v) { return round ? std::round(v) : v; };
-  return edited(
-      project, arguments,
-      [&](Glyph& glyph) {
-        for (PointContour& contour : glyph.contours) {
-          for (GlyphPoint& point : contour.points) {
-            const gen::Point to = matrix.map(point.x, point.y);
-            point.x = snap(to.x);
-            point.y = snap(to.y);
-          }
-        }
-        for (Anchor& anchor : glyph.anchors) {
-          const gen::Point to = matrix.map(anchor.x, anchor.y);
-          anchor.x = snap(to.x);
-          anchor.y = snap(to.y);
-        }
-        for (ComponentUse& use : glyph.components) {
-          use.matrix = product(matrix, use.matrix);
-        }
-        transform_source(matrix, glyph);
-      },
-      true);
-}
-
 }  // namespace
 
 void add_glyph_commands(CommandTable& table) {
@@ -210,7 +182,6 @@ void add_glyph_commands(CommandTable& table) {
   table["set_advance"] = set_advance;
   table["set_glyph_lib"] = set_glyph_lib;
   table["set_unicodes"] = set_unicodes;
-  table["transform"] = transform;
 }
 
 }  // namespace inkcell::design

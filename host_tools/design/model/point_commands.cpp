@@ -1,10 +1,10 @@
 // Commands on points.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
+#include "model/point_selection.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::design {
@@ -14,31 +14,11 @@ PointContour& contour_of(Glyph& glyph, const Arguments& arguments) {
   return glyph.contours[arguments.index("contour", glyph.contours.size())];
 }
 
-// Contour and point, each pair once.
-std::set<std::pair<size_t, size_t>> selection(const Glyph& glyph,
-                                              const Arguments& arguments) {
-  std::set<std::pair<size_t, size_t>> selected;
-  for (const Value& pair : arguments.array("points")) {
-    const bool ok = pair.is_array() && pair.size() == 2 &&
-                    pair[0].is_number_unsigned() &&
-                    pair[1].is_number_unsigned() &&
-                    pair[0].get<size_t>() < glyph.contours.size() &&
-                    pair[1].get<size_t>() <
-                        glyph.contours[pair[0].get<size_t>()].points.size();
-    if (!ok) {
-      arguments.refuse("\"points\" are pairs of a contour and a point; " +
-                       pair.dump() + " is none of this glyph");
-    }
-    selected.emplace(pair[0].get<size_t>(), pair[1].get<size_t>());
-  }
-  return selected;
-}
-
 Change move_points(const Project& project, const Arguments& arguments) {
   const double dx = arguments.number("dx", 0);
   const double dy = arguments.number("dy", 0);
   return edited(project, arguments, [&](Glyph& glyph) {
-    for (const auto& [contour, point] : selection(glyph, arguments)) {
+    for (const auto& [contour, point] : parse_selection(glyph, arguments)) {
       GlyphPoint& moved = glyph.contours[contour].points[point];
       moved.x += dx;
       moved.y += dy;
@@ -163,6 +143,24 @@ Change to_cubics(const Project& project, const Arguments& arguments) {
 }
 
 }  // namespace
+
+PointSelection parse_selection(const Glyph& glyph, const Arguments& arguments) {
+  PointSelection selected;
+  for (const Value& pair : arguments.array("points")) {
+    const bool ok = pair.is_array() && pair.size() == 2 &&
+                    pair[0].is_number_unsigned() &&
+                    pair[1].is_number_unsigned() &&
+                    pair[0].get<size_t>() < glyph.contours.size() &&
+                    pair[1].get<size_t>() <
+                        glyph.contours[pair[0].get<size_t>()].points.size();
+    if (!ok) {
+      arguments.refuse("\"points\" are pairs of a contour and a point; " +
+                       pair.dump() + " is none of this glyph");
+    }
+    selected.emplace(pair[0].get<size_t>(), pair[1].get<size_t>());
+  }
+  return selected;
+}
 
 void add_point_commands(CommandTable& table) {
   table["delete_point"] = delete_point;

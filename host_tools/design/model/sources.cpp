@@ -68,6 +68,11 @@ bool has_source(const Glyph& glyph) {
   return glyph.lib.contains(kStrokesKey) || glyph.lib.contains(kTreeKey);
 }
 
+void drop_source(Glyph& glyph) {
+  glyph.lib.erase(kStrokesKey);
+  glyph.lib.erase(kTreeKey);
+}
+
 void map_leaves(Value& node, const std::function<void(Value&)>& edit) {
   if (!node.is_object()) {
     return;
@@ -114,8 +119,7 @@ void transform_source(const Matrix& matrix, Glyph& glyph) try {
     });
   }
 } catch (const Value::exception&) {  // another program's
-  glyph.lib.erase(kStrokesKey);
-  glyph.lib.erase(kTreeKey);
+  drop_source(glyph);
 }
 
 }  // namespace inkcell::design

@@ -13,6 +13,7 @@ inline constexpr const char* kTreeKey = "org.inkcell.tree";
 
 /// Whether the outline is made of strokes or of a tree.
 bool has_source(const Glyph& glyph);
+void drop_source(Glyph& glyph);
 
 /// Calls `edit` with each leaf of a tree, in order: { "glyph", "matrix" }.
 void map_leaves(Value& node, const std::function<void(Value&)>& edit);

@@ -251,6 +251,10 @@ void draw_question(Panels& panels) {
 }  // namespace
 
 void open_dialog(Panels& panels, const char* name) {
+  if (std::string(name) == kTransform) {
+    panels.dialog = name;
+    panels.transform = {};
+  }
   for (const Dialog& dialog : dialog_list()) {
     if (std::string(dialog.name) == name) {
       panels.dialog = name;
@@ -270,6 +274,10 @@ void quit(Panels& panels) {
 void draw_dialogs(Panels& panels) {
   if (panels.dialog == kQuestion) {
     draw_question(panels);
+    return;
+  }
+  if (panels.dialog == kTransform) {
+    draw_transform(panels);
     return;
   }
   for (const Dialog& dialog : dialog_list()) {

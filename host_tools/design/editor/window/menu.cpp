@@ -64,7 +64,7 @@ void draw_menu(Panels& panels) {
   if (ImGui::BeginMenu("Edit")) {
     for (const char* name :
          {"Undo", "Redo", "", "Cut", "Copy", "Paste", "Duplicate", "Delete", "",
-          "Select all", "Select none", "Align points"}) {
+          "Select all", "Select none"}) {
       item(panels, name);
     }
     ImGui::EndMenu();
@@ -85,6 +85,17 @@ void draw_menu(Panels& panels) {
     dialog_item(panels, "Add component", "", is_open);
     dialog_item(panels, "Background picture", "", is_open);
     item(panels, "Remove picture");
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Transform")) {
+    dialog_item(panels, kTransform, "", panels.editor.glyph() != nullptr);
+    for (const char* name :
+         {"Reflect left and right", "Reflect up and down", "Turn left",
+          "Turn right", "", "Align points", "Align left", "Align centres",
+          "Align right", "Align top", "Align middles", "Align bottom", "",
+          "Distribute across", "Distribute upwards"}) {
+      item(panels, name);
+    }
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("View")) {

@@ -47,6 +47,12 @@ struct Panels {
   bool wants_quit = false;
   std::string dialog;  // the one that is open: its name; "" if none is
   std::vector<std::string> dialog_values;
+  struct {
+    float x = 100;  // [%]
+    float y = 100;
+    float slant = 0;  // [degrees]
+    float turn = 0;
+  } transform;
   std::string followed;  // the glyph that the grid has scrolled to
   // The filled shape on the canvas: the glyph without components.
   GlyphPointer filled;
@@ -76,6 +82,10 @@ void draw_preview_panel(Panels& panels);
 void draw_inspector(Panels& panels);
 void draw_status(Panels& panels);
 void draw_dialogs(Panels& panels);
+
+/// Scale, slant and turn by sliders.
+inline constexpr const char* kTransform = "Scale, slant and turn";
+void draw_transform(Panels& panels);
 
 /// Opens a dialog by its name, with the values that it proposes.
 void open_dialog(Panels& panels, const char* name);
