@@ -367,6 +367,47 @@ def box(contour):
     return min(xs), min(ys), max(xs), max(ys)
 
 
+def check_parts(editor):
+    """A glyph made of others follows them; its parts move, not its points."""
+    tree = {"op": "blend", "radius": 60,
+            "parts": [{"glyph": "_stem"}, {"glyph": "_bowl"}]}
+    first, dragged, blended, live = editor.run(
+        "new C.ufo b Mine 1000 750 -250 500 700", "add _stem", "add _bowl",
+        "glyph _stem", "tool Rectangle", "press 60 0", "move 140 700",
+        "release 140 700", "glyph _bowl", "tool Ellipse", "press 100 -10",
+        "move 520 510", "release 520 510", "glyph b",
+        'do {"do": "add_component", "base": "_stem"}',
+        'do {"do": "add_component", "base": "_bowl"}',
+        "action Combine components", "print", "tool Select", "press 100 600",
+        "move 80 600 free", "release 80 600", "print", "key ctrl+z",
+        f'do {{"do": "set_tree", "tree": {json.dumps(tree)}}}', "print",
+        "glyph _stem", "select 0 1 2 3", "key ctrl+left", "glyph b", "print",
+        "save")
+    expect(first["tree"]["op"] == "union" and first["components"] == 0 and
+           len(first["contours"]) == 1, f"combined: {first['tree']}")
+    expect(box(dragged["contours"][0])[0] == 40 and
+           dragged["tree"]["parts"][0]["matrix"][4] == -20,
+           f"a dragged part: {dragged['tree']}")
+    corners = [[60, 0], [60, 700], [140, 700]]
+    expect(all(corner in [point[:2] for point in points_of(blended)]
+               for corner in corners), "a blend keeps the stem's corners")
+    expect(all(value == int(value) for point in points_of(blended)
+               for value in point[:2]), "a blend has whole units")
+    expect(box(live["contours"][0])[0] == -40,
+           f"the glyph follows its stem: {box(live['contours'][0])}")
+    refused, outline, back = editor.run(
+        "open C.ufo", "glyph b", "screenshot parts.ppm",
+        'try do {"do": "move_points", "points": [[0, 0]], "dx": 3}', "print",
+        "action Turn into outline", "print", "key ctrl+z", "print")
+    expect("Turn into outline" in refused["message"] and
+           refused["contours"] == live["contours"],
+           f"a point of the result: {refused['message']}")
+    expect(outline["tree"] is None and points_of(outline)[0][0] ==
+           points_of(live)[0][0] + 3, "an outline, then the moved point")
+    expect(back["tree"] == tree and back["contours"] == live["contours"],
+           "undo brings the parts back")
+
+
 def check_clipboard(editor):
     """Copies within a glyph and between glyphs."""
     before, twice, pasted, gone = editor.run(
@@ -571,6 +612,7 @@ def main():
         check_smooth_points(editor)
         check_spacing(editor)
         check_transform(editor)
+        check_parts(editor)
         check_clipboard(editor)
         check_levels(editor)
         check_latency(editor)

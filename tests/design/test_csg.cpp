@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "component/csg.hpp"
+#include "component/tree.hpp"
 #include "journal/session.hpp"
 #include "model/arguments.hpp"
 #include "model/commands.hpp"
@@ -13,6 +15,15 @@
 
 namespace inkcell::design::test {
 namespace {
+
+// Its points are whole units, 1 u here.
+gen::Shape shape_of_tree(const Project& project,
+                         size_t layer,
+                         const Value& tree) {
+  Glyph glyph;
+  glyph.contours = contours_of_tree(project, layer, tree);
+  return gen::Shape(outline_of(project, glyph));
+}
 
 class Csg : public testing::Test {
  protected:
@@ -53,6 +64,7 @@ TEST_F(Csg, RandomTreesHaveTheirPointsOnTheRightSide) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const char* const ops[] = {"union", "intersection", "difference"};
+  constexpr double kRounding = 1;  // of points, and of handles of cut curves
   for (int round = 0; round < 60; ++round) {
     Value parts = Value::array();
     std::vector<gen::Shape> shapes;
@@ -84,7 +96,7 @@ TEST_F(Csg, RandomTreesHaveTheirPointsOnTheRightSide) {
                 : op == "intersection" ? std::min(truth, d)
                                        : std::min(truth, -d);
       }
-      if (std::fabs(truth) > 1.0 / 64) {
+      if (std::fabs(truth) > kRounding) {
         EXPECT_EQ(made.inside(x, y), truth > 0) << op << " round " << round;
       }
     }
@@ -122,6 +134,70 @@ TEST_F(Csg, ABlendFollowsItsFormulaAndIsADistanceAgain) {
   EXPECT_GT(steep, 100);
 }
 
+// A stem and a ring: points of the stem beyond the fillets stay, and all are
+// whole.
+TEST_F(Csg, ABlendKeepsWhatItsFilletsDoNotReach) {
+  constexpr double kRadius = 60;
+  const Value tree = Value::parse(R"({"op": "blend", "radius": 60, "parts": [
+      {"glyph": "box", "matrix": [0.3,0,0,3,0,-200]},
+      {"glyph": "disc", "matrix": [1,0,0,1,200,250]}]})");
+  const std::vector<PointContour> contours =
+      contours_of_tree(project_, 0, tree);
+  ASSERT_EQ(contours.size(), 1u);
+  std::set<std::pair<double, double>> points;
+  for (const GlyphPoint& point : contours[0].points) {
+    EXPECT_EQ(point.x, std::round(point.x));
+    EXPECT_EQ(point.y, std::round(point.y));
+    points.emplace(point.x, point.y);
+  }
+  for (const auto& corner : {std::pair(0.0, -200.0), std::pair(90.0, -200.0),
+                             std::pair(90.0, 700.0), std::pair(0.0, 700.0)}) {
+    EXPECT_EQ(points.count(corner), 1u) << corner.first;
+  }
+  const auto part = [this, &tree](size_t i) {
+    const Value leaf = tree["parts"][i];
+    return shape_of_tree(project_, 0,
+                         {{"op", "union"}, {"parts", {leaf, leaf}}});
+  };
+  const gen::Shape a = part(0);
+  const gen::Shape b = part(1);
+  const gen::Shape made = shape_of_tree(project_, 0, tree);
+  for (const gen::Edge& edge : made.edges()) {
+    const double da = a.distance(edge.a.x, edge.a.y);
+    const double db = b.distance(edge.a.x, edge.a.y);
+    const double h = std::max(kRadius - std::fabs(da - db), 0.0);
+    EXPECT_NEAR(std::max(da, db) + h * h / (4 * kRadius), 0, 1.0);
+  }
+}
+
+TEST_F(Csg, AGlyphFollowsItsParts) {
+  run(Value::parse(R"({"do": "set_tree", "glyph": "out", "tree":
+      {"op": "difference", "parts": [{"glyph": "box"}, {"glyph": "disc"}]}})"));
+  run({{"do", "add_glyph"}, {"glyph", "far"}});
+  run(Value::parse(R"({"do": "set_tree", "glyph": "far", "tree":
+      {"op": "union", "parts": [{"glyph": "out"}, {"glyph": "box"}]}})"));
+  Player player(project_);
+  const auto right = [&player](const char* name) {
+    return gen::Shape(
+               outline_of(player.project(), *player.project().glyph(name)))
+        .box()
+        .x1;
+  };
+  player.play(Value::parse(R"({"do": "move_points", "glyph": "box",
+      "points": [[0, 1], [0, 2]], "dx": 50})"));
+  EXPECT_EQ(right("out"), 350);
+  EXPECT_EQ(right("far"), 350);
+  EXPECT_TRUE(player.undo());
+  EXPECT_EQ(right("far"), 300);
+  const Value circle = Value::parse(R"({"do": "set_tree", "glyph": "out",
+      "tree": {"op": "union", "parts": [{"glyph": "far"},
+                                        {"glyph": "box"}]}})");
+  EXPECT_THROW(player.play(circle), Error);
+  EXPECT_THROW(
+      player.play(Value::parse(R"({"do": "delete_glyph", "glyph": "disc"})")),
+      Error);
+}
+
 TEST_F(Csg, TreesAreCommandsThatCanBeUndone) {
   Player player(project_);
   player.play(Value::parse(R"({"do": "set_tree", "glyph": "out", "tree":
@@ -145,7 +221,7 @@ TEST_F(Csg, ErrorsSayWhatIsAllowed) {
   };
   EXPECT_EQ(refusal(R"({"op": "xor", "parts": []})"),
             "operator 'xor' of a tree is not known; use union, intersection, "
-            "difference or blend");
+            "difference, exclusion or blend");
   EXPECT_EQ(refusal(R"({"op": "blend", "parts": []})"),
             "a blend has a \"radius\" above 0, in font units");
   EXPECT_NE(refusal(R"({"glyph": "none"})"), "");

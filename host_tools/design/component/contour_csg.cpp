@@ -71,6 +71,9 @@ class Combiner {
     clipper.PreserveCollinear(true);
     clipper.AddPaths(paths_of(a), ClipperLib::ptSubject, true);
     clipper.AddPaths(paths_of(b), ClipperLib::ptClip, true);
+    if (chords_.empty()) {
+      return std::move(result_);
+    }
     ClipperLib::Paths paths;
     if (!clipper.Execute(type, paths, ClipperLib::pftNonZero,
                          ClipperLib::pftNonZero)) {

@@ -5,9 +5,6 @@
 #include <polyclipping/clipper.hpp>
 
 #include "fit/vectors.hpp"
-#include "model/arguments.hpp"
-#include "model/contours.hpp"
-#include "model/error.hpp"
 #include "shape/outline.hpp"
 #include "stroke/stroke.hpp"
 #include "trace/contour_walk.hpp"
@@ -16,7 +13,6 @@ namespace inkcell::design {
 namespace {
 
 constexpr double kClipperUnits_per_u = 65536;
-constexpr int kMostDepth = 16;
 
 ClipperLib::Paths paths_of(const gen::Shape& shape) {
   ClipperLib::Paths paths;
@@ -75,78 +71,6 @@ gen::Shape blended(const gen::Shape& a, const gen::Shape& b, double k) {
   return gen::Shape(outline_of_polygons(polygons));
 }
 
-gen::Shape shape_of_node(const Project& project,
-                         size_t layer,
-                         const Value& node,
-                         int depth);
-
-gen::Shape shape_of_leaf(const Project& project,
-                         size_t layer,
-                         const Value& leaf) {
-  ComponentUse use;
-  use.base = leaf.at("glyph").get<std::string>();
-  if (leaf.contains("matrix")) {
-    const Value command = {{"do", "tree"}, {"matrix", leaf["matrix"]}};
-    use.matrix = Arguments(command).matrix("matrix");
-  }
-  Glyph glyph;
-  glyph.components.push_back(use);
-  return gen::Shape(outline_of(project, glyph, layer));
-}
-
-gen::Shape shape_of_operator(const Project& project,
-                             size_t layer,
-                             const Value& node,
-                             int depth) {
-  const std::string op = node.value("op", "");
-  const std::pair<const char*, Combination> names[] = {
-      {"union", Combination::unite},
-      {"intersection", Combination::intersect},
-      {"difference", Combination::subtract},
-      {"blend", Combination::blend}};
-  const auto found =
-      std::find_if(std::begin(names), std::end(names),
-                   [&op](const auto& entry) { return op == entry.first; });
-  if (found == std::end(names)) {
-    throw Error("operator '" + op +
-                "' of a tree is not known; use union, intersection, "
-                "difference or blend");
-  }
-  const double radius =
-      node.value("radius", 0.0) * gen::kUPerEm / project.units_per_em();
-  if (found->second == Combination::blend && !(radius > 0)) {
-    throw Error("a blend has a \"radius\" above 0, in font units");
-  }
-  const Value& parts = node.at("parts");
-  if (!parts.is_array() || parts.size() < 2) {
-    throw Error("\"" + op + "\" of a tree has two or more \"parts\"");
-  }
-  gen::Shape shape = shape_of_node(project, layer, parts[0], depth - 1);
-  for (size_t i = 1; i < parts.size(); ++i) {
-    shape = combine(shape, shape_of_node(project, layer, parts[i], depth - 1),
-                    found->second, radius);
-  }
-  return shape;
-}
-
-gen::Shape shape_of_node(const Project& project,
-                         size_t layer,
-                         const Value& node,
-                         int depth) {
-  if (depth == 0) {
-    throw Error("a tree of shapes is at most 16 levels deep");
-  }
-  try {
-    return node.is_object() && node.contains("glyph")
-               ? shape_of_leaf(project, layer, node)
-               : shape_of_operator(project, layer, node, depth);
-  } catch (const Value::exception& error) {
-    throw Error(std::string("a tree of shapes is { \"op\", \"parts\" } or { "
-                            "\"glyph\", \"matrix\" }: ") +
-                error.what());
-  }
-}
-
 }  // namespace
 
 gen::Shape combine(const gen::Shape& a,
@@ -167,12 +91,6 @@ gen::Shape combine(const gen::Shape& a,
       break;
   }
   return clipped(a, b, ClipperLib::ctUnion);
-}
-
-gen::Shape shape_of_tree(const Project& project,
-                         size_t layer,
-                         const Value& tree) {
-  return shape_of_node(project, layer, tree, kMostDepth);
 }
 
 std::vector<std::vector<Point>> polygons_of(const gen::Shape& shape) {

@@ -2,10 +2,8 @@
 // blends.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "model/project.hpp"
 #include "shape/outline.hpp"
 #include "shape/shape.hpp"
 
@@ -26,18 +24,6 @@ gen::Shape combine(const gen::Shape& a,
                    const gen::Shape& b,
                    Combination combination,
                    double radius_u = 0);
-
-/// The shape of a tree. A leaf is a glyph, { "glyph": "o", "matrix": [...] }; a
-/// node combines two or more parts, in order:
-///
-///   { "op": "union" | "intersection" | "difference" | "blend", "radius": 20,
-///     "parts": [...] }
-///
-/// Radius and matrix in font units. Throws Error that names the wrong part of
-/// the tree.
-gen::Shape shape_of_tree(const Project& project,
-                         size_t layer,
-                         const Value& tree);
 
 /// The border as closed polygons, filled on the left.
 std::vector<std::vector<gen::Point>> polygons_of(const gen::Shape& shape);

@@ -80,14 +80,13 @@ Change set_strokes(const Project& project, const Arguments& arguments) {
       true);
 }
 
+// follow_parts() makes the contours.
 Change set_tree(const Project& project, const Arguments& arguments) {
-  const gen::Shape shape = shape_of_tree(project, layer_of(project, arguments),
-                                         arguments.value("tree"));
+  const Value& tree = arguments.value("tree");
   return edited(
       project, arguments,
       [&](Glyph& glyph) {
-        glyph.contours = fitted(project, arguments, glyph, shape);
-        glyph.lib[kTreeKey] = arguments.value("tree");
+        glyph.lib[kTreeKey] = tree;
         glyph.lib.erase(kStrokesKey);
       },
       true);

@@ -6,6 +6,7 @@
 
 #include "editor/clipboard.hpp"
 #include "editor/edits.hpp"
+#include "editor/parts.hpp"
 #include "model/error.hpp"
 
 namespace inkcell::design::editor {
@@ -21,6 +22,13 @@ void run_unless_null(Editor& editor, Value command) {
 }
 
 void nudge(Editor& editor, double dx, double dy) {
+  if (editor.part) {
+    Matrix move;
+    move.dx = dx;
+    move.dy = dy;
+    editor.run(map_part(*editor.glyph(), *editor.part, move));
+    return;
+  }
   if (editor.component) {
     const Matrix& m = editor.glyph()->components[*editor.component].matrix;
     editor.run({{"do", "set_component"},
@@ -33,6 +41,10 @@ void nudge(Editor& editor, double dx, double dy) {
 }
 
 void delete_selection(Editor& editor) {
+  if (editor.part) {
+    editor.run(delete_part(*editor.glyph(), *editor.part));
+    return;
+  }
   if (editor.guide) {
     editor.run({{"do", "delete_guideline"}, {"guideline", *editor.guide}});
     editor.guide.reset();
@@ -197,6 +209,9 @@ std::vector<Action> make_list() {
        [](Editor& e) {
          e.run({{"do", "to_cubics"}});
        }},
+      {"Combine components", "",
+       [](Editor& e) { e.run(combine_components(*e.glyph())); }},
+      {"Turn into outline", "", [](Editor& e) { e.make_outline(); }},
       {"Decompose", "",
        [](Editor& e) {
          e.run({{"do", "decompose"}});

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/output.hpp"
 #include "editor/glyph_set.hpp"
+#include "editor/parts.hpp"
 #include "editor/spacing.hpp"
 #include "export/rom.hpp"
 #include "export/ttf.hpp"
@@ -37,6 +39,21 @@ bool needs_glyph(const Value& command) {
          name.find("info") == std::string::npos &&
          name.find("kerning") == std::string::npos &&
          name.find("group") == std::string::npos && name != "set_lib";
+}
+
+// The glyphs that a change makes outlines.
+std::vector<std::string> losing_source(const Change& change) {
+  std::vector<std::string> names;
+  for (const GlyphChange& entry : change.glyphs) {
+    for (const char* key : {kStrokesKey, kTreeKey}) {
+      if (entry.layer == 0 && entry.before != nullptr &&
+          entry.after != nullptr && entry.before->lib.contains(key) &&
+          !entry.after->lib.contains(key)) {
+        names.push_back(entry.name);
+      }
+    }
+  }
+  return names;
 }
 
 void check_new(const fs::path& folder) {
@@ -287,7 +304,9 @@ Project Editor::shown_project() const {
 void Editor::run(Value command) {
   command = for_glyph(glyph_, std::move(command));
   tool_->interrupt(*this);
-  session_->run(command);
+  Change change = change_of(project(), command);
+  ask_before_loss(command, change);
+  session_->run(command, std::move(change));
   if (command.value("do", "") == "rename_glyph" && command["glyph"] == glyph_) {
     glyph_ = command["to"].get<std::string>();
   }
@@ -315,7 +334,45 @@ void Editor::commit() {
   }
   Proposal proposal = std::move(*proposal_);
   proposal_.reset();
+  ask_before_loss(proposal.command, proposal.change);
   session_->run(proposal.command, std::move(proposal.change));
+  follow_change();
+}
+
+void Editor::ask_before_loss(const Value& command, const Change& change) {
+  const std::vector<std::string> names = losing_source(change);
+  if (!names.empty()) {
+    pending = command;
+    throw Error("glyph '" + names.front() +
+                "' is made of strokes or parts; \"Turn into outline\" lets its "
+                "points change");
+  }
+}
+
+void Editor::make_outline() {
+  std::vector<std::string> names = {glyph_};
+  std::vector<Value> commands;
+  const std::optional<Value> next = std::exchange(pending, std::nullopt);
+  if (next) {
+    names = losing_source(change_of(project(), *next));
+  }
+  for (const std::string& name : names) {
+    const GlyphPointer made = project().glyph(name);
+    for (const char* key : {kStrokesKey, kTreeKey}) {
+      if (made->lib.contains(key)) {
+        commands.push_back(
+            {{"do", "set_glyph_lib"}, {"glyph", name}, {"key", key}});
+      }
+    }
+  }
+  if (next) {
+    commands.push_back(*next);
+  }
+  if (commands.empty()) {
+    throw Error("glyph '" + glyph_ + "' is an outline already");
+  }
+  tool_->interrupt(*this);
+  session_->run(Value{{"do", "batch"}, {"commands", commands}});
   follow_change();
 }
 
@@ -361,6 +418,9 @@ void Editor::drop_lost_selection() {
   if (component && *component >= now->components.size()) {
     component.reset();
   }
+  if (part && *part >= parts_of(*now).size()) {
+    part.reset();
+  }
   if (guide && *guide >= now->guidelines.size()) {
     guide.reset();
   }
@@ -370,6 +430,7 @@ void Editor::select_nothing() {
   selection.clear();
   component.reset();
   guide.reset();
+  part.reset();
 }
 
 void Editor::select_contour(size_t contour) {

@@ -117,7 +117,8 @@ class Editor {
   Project shown_project() const;
 
   /// Runs a command on the shown glyph; "glyph" is filled in. Ends a press of
-  /// the pointer. Throws Error.
+  /// the pointer. Throws Error, and sets `pending` if strokes or a tree would
+  /// be lost.
   void run(Value command);
   /// Shows a change without running it; null removes it.
   void propose(Value command);
@@ -125,6 +126,9 @@ class Editor {
   void commit();
   bool undo();
   bool redo();
+  /// Drops the strokes or the tree of the glyph: its points can be moved. Then
+  /// runs the pending command, in the same step.
+  void make_outline();
 
   void set_tool(ToolKind kind);
   ToolKind tool_kind() const { return tool_kind_; }
@@ -139,6 +143,10 @@ class Editor {
   Selection selection;
   std::optional<size_t> component;  // the selected one
   std::optional<size_t> guide;      // likewise
+  std::optional<size_t> part;       // of the glyph's tree, in order
+  /// A command that was refused, since its glyph would no longer be made of
+  /// strokes or parts. make_outline() runs it.
+  std::optional<Value> pending;
   Clipboard clipboard;
   View view;
   NibSettings nib;
@@ -155,6 +163,7 @@ class Editor {
   };
 
   void begin(const std::filesystem::path& folder);
+  void ask_before_loss(const Value& command, const Change& change);
   void follow_change();
   void drop_lost_selection();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "editor/parts.hpp"
 #include "model/arguments.hpp"
 #include "shape/points.hpp"
 #include "shape/shape.hpp"
@@ -349,10 +350,14 @@ Value transform_selection(const Editor& editor, const Value& matrix) {
   const Project& project = editor.project();
   const GlyphPointer glyph = project.find(editor.glyph_name());
   Value command = {{"do", "transform"}, {"matrix", matrix}};
-  if (editor.component) {
-    const ComponentUse& use = glyph->components[*editor.component];
+  if (editor.component || editor.part) {
     Glyph alone;
-    alone.components = {use};
+    if (editor.part) {
+      alone.contours =
+          contours_of_part(project, parts_of(*glyph)[*editor.part]);
+    } else {
+      alone.components = {glyph->components[*editor.component]};
+    }
     const gen::Shape shape(outline_of(project, alone));
     const double scale = project.units_per_em() / gen::kUPerEm;
     const double x = std::round(scale * (shape.box().x0 + shape.box().x1) / 2);
@@ -360,10 +365,16 @@ Value transform_selection(const Editor& editor, const Value& matrix) {
     Matrix to;
     to.dx = -x;
     to.dy = -y;
-    to = product(Arguments(command).matrix("matrix"), product(to, use.matrix));
+    to = product(Arguments(command).matrix("matrix"), to);
+    to.dx += x;
+    to.dy += y;
+    if (editor.part) {
+      return map_part(*glyph, *editor.part, to);
+    }
+    to = product(to, glyph->components[*editor.component].matrix);
     return {{"do", "set_component"},
             {"component", *editor.component},
-            {"matrix", {to.xx, to.xy, to.yx, to.yy, to.dx + x, to.dy + y}}};
+            {"matrix", {to.xx, to.xy, to.yx, to.yy, to.dx, to.dy}}};
   }
   command["about"] = "middle";
   if (!editor.selection.empty()) {

@@ -1,6 +1,7 @@
 #include "editor/report.hpp"
 
 #include "model/contours.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -48,6 +49,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"components", glyph->components.size()},
           {"guides", guides_value(*glyph)},
           {"picture", glyph->image ? glyph->image->file : ""},
+          {"tree", glyph->lib.value(kTreeKey, Value())},
           {"selected", editor.selection.size()},
           {"view", view_value(editor.view)},
           {"bytes", preview.glyph_bytes},

@@ -275,4 +275,10 @@ std::vector<PointContour> cut_contours(
   return result;
 }
 
+bool is_inside(const std::vector<PointContour>& contours, Point at) {
+  // A line to the left crosses the contours an odd number of times.
+  const Point far = {at.x - 1e5, at.y + 0.25};
+  return crossings(contours, {at.x, at.y + 0.25}, far).size() % 2 != 0;
+}
+
 }  // namespace inkcell::design::editor

@@ -50,4 +50,7 @@ PointContour with_point(const PointContour& contour, const OnCurve& place);
 std::vector<PointContour> cut_contours(
     const std::vector<PointContour>& contours, Point a, Point b);
 
+/// Whether a place is inside closed contours, by the even-odd rule.
+bool is_inside(const std::vector<PointContour>& contours, Point at);
+
 }  // namespace inkcell::design::editor

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "editor/edits.hpp"
+#include "editor/parts.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
 #include "editor/tool.hpp"
@@ -78,9 +79,7 @@ std::optional<size_t> component_at(const Editor& editor, Point at) {
   for (size_t i = glyph->components.size(); i-- > 0;) {
     Glyph part;
     append_component(editor.project(), 0, glyph->components[i], part.contours);
-    // Inside if a line to the left crosses the contours an odd number of times.
-    const Point far = {at.x - 1e5, at.y + 0.25};
-    if (crossings(part.contours, {at.x, at.y + 0.25}, far).size() % 2 != 0) {
+    if (is_inside(part.contours, at)) {
       return i;
     }
   }
@@ -115,6 +114,10 @@ class SelectTool : public Tool {
     label_.reset();
     state_ = State::points;
     const GlyphPointer glyph = editor.glyph();
+    if (has_tree(*glyph)) {
+      press_part(editor, pointer);
+      return;
+    }
     if (const auto hit = point_near(*glyph, pointer)) {
       press_point(editor, pointer, *hit);
       return;
@@ -143,6 +146,9 @@ class SelectTool : public Tool {
   void drag(Editor& editor, const Pointer& pointer) override {
     double dx = std::round(pointer.at.x - start_.x);
     double dy = std::round(pointer.at.y - start_.y);
+    if (state_ == State::part && !editor.part) {
+      return;  // an undo or another press took it
+    }
     const bool is_flat = std::abs(dx) >= std::abs(dy);
     if (pointer.shift) {
       (is_flat ? dy : dx) = 0;
@@ -151,6 +157,12 @@ class SelectTool : public Tool {
     label_.reset();
     if (state_ == State::points) {
       drag_points(editor, pointer, {dx, dy}, is_flat);
+    } else if (state_ == State::part) {
+      Matrix move;
+      move.dx = dx;
+      move.dy = dy;
+      editor.propose(map_part(*editor.project().find(editor.glyph_name()),
+                              *editor.part, move));
     } else if (state_ == State::component) {
       const bool moves = dx != 0 || dy != 0;
       editor.propose(moves ? move_component(editor, dx, dy) : Value());
@@ -189,12 +201,26 @@ class SelectTool : public Tool {
   }
 
  private:
-  enum class State { idle, points, component, guide, box };
+  enum class State { idle, points, part, component, guide, box };
 
   void stop() {
     state_ = State::idle;
     levels_.clear();
     label_.reset();
+  }
+
+  // The parts of a glyph move, not the points of the result. A double click
+  // opens a part.
+  void press_part(Editor& editor, const Pointer& pointer) {
+    editor.select_nothing();
+    const GlyphPointer glyph = editor.glyph();
+    const auto part = part_at(editor.project(), *glyph, pointer.at);
+    state_ = part ? State::part : State::idle;
+    if (part && pointer.twice) {
+      editor.show(parts_of(*glyph)[*part].value("glyph", ""));
+      return;
+    }
+    editor.part = part;
   }
 
   void press_point(Editor& editor, const Pointer& pointer, PointId hit) {

@@ -1,6 +1,5 @@
 // Several commands as one step.
 #include "model/command_table.hpp"
-#include "model/commands.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -31,7 +30,7 @@ Change batch(const Project& project, const Arguments& arguments) {
   Project state = project;
   Change sum;
   for (const Value& command : arguments.array("commands")) {
-    const Change change = change_of(state, command);
+    const Change change = own_change_of(state, command);
     state.apply(change);
     append(change, sum);
   }

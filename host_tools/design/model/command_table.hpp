@@ -24,6 +24,10 @@ void add_font_commands(CommandTable& table);
 void add_source_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 
+/// The change of a command without what follows in glyphs that are made of
+/// others.
+Change own_change_of(const Project& project, const Value& command);
+
 /// The layer named by "layer", by default the first.
 size_t layer_of(const Project& project, const Arguments& arguments);
 

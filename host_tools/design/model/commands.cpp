@@ -1,5 +1,6 @@
 #include "model/commands.hpp"
 
+#include "component/tree.hpp"
 #include "model/command_table.hpp"
 #include "shape/outline.hpp"
 
@@ -38,7 +39,7 @@ size_t layer_of(const Project& project, const Arguments& arguments) {
   arguments.refuse("there is no layer '" + name + "'");
 }
 
-Change change_of(const Project& project, const Value& command) {
+Change own_change_of(const Project& project, const Value& command) {
   const Arguments arguments(command);
   const auto found = command_table().find(arguments.name());
   if (found == command_table().end()) {
@@ -48,8 +49,15 @@ Change change_of(const Project& project, const Value& command) {
     }
     arguments.refuse("is not known; there are " + names);
   }
+  return found->second(project, arguments);
+}
+
+Change change_of(const Project& project, const Value& command) {
+  const Arguments arguments(command);
   try {
-    return found->second(project, arguments);
+    Change change = own_change_of(project, command);
+    follow_parts(project, change);
+    return change;
   } catch (const gen::GeometryError& error) {
     arguments.refuse(error.what());
   }

@@ -63,6 +63,14 @@ Change delete_glyph(const Project& project, const Arguments& arguments) {
                          "'; decompose that first");
       }
     }
+    Value tree = glyph->lib.value(kTreeKey, Value());
+    map_leaves(tree, [&](const Value& leaf) {
+      if (leaf["glyph"] == change.glyphs[0].name &&
+          name != change.glyphs[0].name) {
+        arguments.refuse("it is a part of '" + name +
+                         "'; turn that into an outline first");
+      }
+    });
   }
   change.glyphs[0].after = nullptr;
   drop_unnamed_images(project, change);

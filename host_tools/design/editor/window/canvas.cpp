@@ -127,6 +127,7 @@ void draw_canvas(Panels& panels) {
   layer.draw_components();
   layer.draw_cells();
   layer.draw_contours();
+  layer.draw_parts();
   layer.draw_points();
   layer.draw_marks();
   draw_heading(editor, origin);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/glyph_set.hpp"
+#include "editor/parts.hpp"
 #include "editor/window/panels.hpp"
 #include "import/image_import.hpp"
 #include "model/error.hpp"
@@ -126,7 +127,9 @@ const std::vector<Dialog>& dialog_list() {
        {},
        nothing,
        [](Editor& editor, const Values& values) {
-         editor.run({{"do", "add_component"}, {"base", values[0]}});
+         editor.run(has_tree(*editor.glyph())
+                        ? add_part(*editor.glyph(), values[0])
+                        : Value{{"do", "add_component"}, {"base", values[0]}});
        }},
       {"Background picture",
        "A picture (PNG) behind the outline; the project keeps a copy",
@@ -248,6 +251,31 @@ void draw_question(Panels& panels) {
   ImGui::EndPopup();
 }
 
+// The question before a glyph loses its strokes or parts.
+void draw_outline_question(Editor& editor) {
+  constexpr const char* kTitle = "Turn into an outline?";
+  ImGui::OpenPopup(kTitle);
+  if (!ImGui::BeginPopupModal(kTitle, nullptr,
+                              ImGuiWindowFlags_AlwaysAutoResize)) {
+    return;
+  }
+  ImGui::TextUnformatted(
+      "The glyph is made of strokes or parts. This changes its points:\n"
+      "it would no longer follow them. Undo brings them back.");
+  const bool is_wanted = ImGui::Button("Turn into outline", {px(150), 0});
+  ImGui::SameLine();
+  if (is_wanted) {
+    attempt(editor, [&] { editor.make_outline(); });
+  } else if (ImGui::Button("Cancel", {px(110), 0}) ||
+             ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    editor.pending.reset();
+  }
+  if (!editor.pending) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
 void open_dialog(Panels& panels, const char* name) {
@@ -272,6 +300,10 @@ void quit(Panels& panels) {
 }
 
 void draw_dialogs(Panels& panels) {
+  if (panels.editor.pending) {
+    draw_outline_question(panels.editor);
+    return;
+  }
   if (panels.dialog == kQuestion) {
     draw_question(panels);
     return;

@@ -5,6 +5,7 @@
 
 #include "editor/actions.hpp"
 #include "editor/edits.hpp"
+#include "editor/parts.hpp"
 #include "editor/spacing.hpp"
 #include "editor/window/panels.hpp"
 #include "model/bearings.hpp"
@@ -121,7 +122,9 @@ void draw_guide(Editor& editor, size_t index) {
 }
 
 void draw_selection(Editor& editor) {
-  if (editor.component) {
+  if (editor.part) {
+    ImGui::TextDisabled("Drag the part; arrows move it");
+  } else if (editor.component) {
     const ComponentUse& use = editor.glyph()->components[*editor.component];
     ImGui::Text("Component %s", use.base.c_str());
     ImGui::TextDisabled("Moved by %g, %g", use.matrix.dx, use.matrix.dy);
@@ -212,6 +215,10 @@ void draw_inspector(Panels& panels) {
   if (!editor.glyph()->components.empty()) {
     ImGui::TextDisabled("Components");
     draw_components(editor);
+  }
+  if (has_tree(*editor.glyph())) {
+    ImGui::TextDisabled("Made of");
+    draw_tree(editor);
   }
   if (editor.glyph()->image) {
     draw_picture(editor);

@@ -71,7 +71,7 @@ void handle_window_key(Panels& panels, const std::string& key) {
     open_dialog(panels, "Save as");
   } else if (key == "ctrl+e" && is_open) {
     open_dialog(panels, "Export");
-  } else if (panels.dialog.empty()) {
+  } else if (panels.dialog.empty() && !panels.editor.pending) {
     attempt(panels.editor, [&] { press_key(panels.editor, key); });
   }
 }

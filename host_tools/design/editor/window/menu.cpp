@@ -73,7 +73,8 @@ void draw_menu(Panels& panels) {
     for (const char* name :
          {"Unite", "Subtract", "Intersect", "Exclude", "", "Smooth or corner",
           "Reverse contours", "Round to whole units", "Convert to cubics",
-          "Decompose", "", "Next glyph", "Previous glyph"}) {
+          "Decompose", "Combine components", "Turn into outline", "",
+          "Next glyph", "Previous glyph"}) {
       item(panels, name);
     }
     ImGui::Separator();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bitmap/bitmap.hpp"
+#include "editor/parts.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
 #include "model/error.hpp"
@@ -189,6 +190,19 @@ void OutlineLayer::draw_components() const {
   }
 }
 
+void OutlineLayer::draw_parts() const {
+  const std::vector<Value> parts = parts_of(*glyph_);
+  const Project project = panels_.editor.shown_project();
+  attempt(panels_.editor, [&] {
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const bool is_selected = panels_.editor.part == i;
+      for (const PointContour& contour : contours_of_part(project, parts[i])) {
+        outline(contour, is_selected ? colour::kSelected : colour::kGuide);
+      }
+    }
+  });
+}
+
 void OutlineLayer::draw_cells() const {
   if (!panels_.editor.preview.cells || panels_.preview == nullptr) {
     return;
@@ -245,7 +259,8 @@ void OutlineLayer::handles(const PointContour& contour) const {
 void OutlineLayer::draw_points() const {
   const Selection& selection = panels_.editor.selection;
   const float half = px(3.5f);
-  for (size_t c = 0; c < glyph_->contours.size(); ++c) {
+  const bool has_points = !has_tree(*glyph_);  // others are made of parts
+  for (size_t c = 0; has_points && c < glyph_->contours.size(); ++c) {
     handles(glyph_->contours[c]);
     const std::vector<GlyphPoint>& points = glyph_->contours[c].points;
     for (size_t i = 0; i < points.size(); ++i) {

@@ -18,6 +18,7 @@ class OutlineLayer {
   void draw_background() const;
   void draw_fill() const;
   void draw_components() const;
+  void draw_parts() const;
   void draw_cells() const;
   void draw_contours() const;
   void draw_points() const;

@@ -80,6 +80,8 @@ void draw_glyph_grid(Panels& panels);
 void draw_canvas(Panels& panels);
 void draw_preview_panel(Panels& panels);
 void draw_inspector(Panels& panels);
+/// The operators and parts of a glyph made of others.
+void draw_tree(Editor& editor);
 void draw_status(Panels& panels);
 void draw_dialogs(Panels& panels);
 
