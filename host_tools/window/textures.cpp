@@ -7,8 +7,6 @@ namespace {
 
 constexpr int kMostAge = 120;  // [frames]
 
-constexpr uint8_t kInkLevel = 40;
-
 std::vector<uint8_t> to_rgba(const Image& image) {
   std::vector<uint8_t> rgba;
   for (int y = 0; y < image.height; ++y) {
@@ -17,7 +15,7 @@ std::vector<uint8_t> to_rgba(const Image& image) {
       if (image.channels == 3) {
         rgba.insert(rgba.end(), {p[0], p[1], p[2], 255});
       } else {
-        rgba.insert(rgba.end(), {kInkLevel, kInkLevel, kInkLevel, p[0]});
+        rgba.insert(rgba.end(), {255, 255, 255, p[0]});  // tinted
       }
     }
   }

@@ -23,8 +23,39 @@ constexpr ImWchar kRanges[] = {0x20, 0x17F, 0x2010, 0x2040, 0};
 // Set once, before the first frame.
 float screen_scale = 1;
 
-ImVec4 grey(float level, float alpha = 1) {
-  return {level, level * 1.004f, level * 1.012f, alpha};
+struct Colour {
+  ImU32& value;
+  ImU32 light;
+  ImU32 dark;
+};
+
+const Colour kColours[] = {
+    {colour::paper, IM_COL32(255, 255, 255, 255), IM_COL32(30, 32, 37, 255)},
+    {colour::ink, IM_COL32(34, 38, 46, 255), IM_COL32(222, 226, 233, 255)},
+    {colour::faint, IM_COL32(122, 130, 142, 255), IM_COL32(138, 146, 158, 255)},
+    {colour::rule, IM_COL32(221, 225, 231, 255), IM_COL32(62, 66, 74, 255)},
+    {colour::fill, IM_COL32(233, 236, 241, 255), IM_COL32(58, 63, 72, 255)},
+    {colour::zone, IM_COL32(190, 200, 214, 255), IM_COL32(74, 82, 96, 255)},
+    {colour::guide, IM_COL32(120, 170, 220, 255), IM_COL32(78, 128, 180, 255)},
+    {colour::layer, IM_COL32(196, 150, 196, 255), IM_COL32(196, 150, 196, 255)},
+    {colour::warning, IM_COL32(240, 196, 64, 255), IM_COL32(240, 196, 64, 255)},
+    {colour::corner, IM_COL32(196, 64, 52, 255), IM_COL32(240, 110, 96, 255)},
+    {colour::smooth, IM_COL32(38, 132, 84, 255), IM_COL32(92, 196, 136, 255)},
+    {colour::handle, IM_COL32(94, 122, 176, 255), IM_COL32(134, 164, 216, 255)},
+    {colour::selected, IM_COL32(244, 132, 20, 255),
+     IM_COL32(244, 132, 20, 255)},
+    {colour::tool, IM_COL32(30, 110, 214, 255), IM_COL32(70, 144, 240, 255)},
+    {colour::component, IM_COL32(214, 224, 240, 255),
+     IM_COL32(52, 66, 90, 255)},
+    {colour::raised, IM_COL32(224, 229, 236, 255), IM_COL32(52, 56, 64, 255)},
+};
+
+bool is_dark_theme = false;
+
+// `level` of the light theme; the dark one is darker and has less contrast.
+ImVec4 grey(float level) {
+  const float shown = is_dark_theme ? 0.14f + 0.9f * (0.968f - level) : level;
+  return {shown, shown * 1.004f, shown * 1.012f, 1};
 }
 
 }  // namespace
@@ -60,10 +91,15 @@ float px(float value) {
   return std::round(value * screen_scale);
 }
 
-void apply_theme(float scale) {
+void apply_theme(float scale, bool is_dark) {
   screen_scale = scale;
-  ImGui::StyleColorsLight();
+  is_dark_theme = is_dark;
+  for (const Colour& each : kColours) {
+    each.value = is_dark ? each.dark : each.light;
+  }
   ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();  // ScaleAllSizes() multiplies
+  is_dark ? ImGui::StyleColorsDark() : ImGui::StyleColorsLight();
   style.WindowPadding = {12, 10};
   style.FramePadding = {8, 4};
   style.ItemSpacing = {8, 7};
@@ -79,18 +115,18 @@ void apply_theme(float scale) {
   style.AntiAliasedLinesUseTex = false;  // no bi-linear samples in software
   style.ScaleAllSizes(scale);
   ImVec4* colours = style.Colors;
-  const ImVec4 accent = ImGui::ColorConvertU32ToFloat4(colour::kTool);
+  const ImVec4 accent = ImGui::ColorConvertU32ToFloat4(colour::tool);
   const auto tint = [&accent](float alpha) {
     return ImVec4(accent.x, accent.y, accent.z, alpha);
   };
-  colours[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(colour::kInk);
+  colours[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(colour::ink);
   colours[ImGuiCol_TextDisabled] =
-      ImGui::ColorConvertU32ToFloat4(colour::kFaint);
+      ImGui::ColorConvertU32ToFloat4(colour::faint);
   colours[ImGuiCol_WindowBg] = grey(0.968f);
   colours[ImGuiCol_MenuBarBg] = grey(0.968f);
   colours[ImGuiCol_PopupBg] = grey(0.995f);
   colours[ImGuiCol_ChildBg] = grey(0.968f);
-  colours[ImGuiCol_Border] = ImGui::ColorConvertU32ToFloat4(colour::kRule);
+  colours[ImGuiCol_Border] = ImGui::ColorConvertU32ToFloat4(colour::rule);
   colours[ImGuiCol_Separator] = colours[ImGuiCol_Border];
   colours[ImGuiCol_FrameBg] = grey(0.905f);
   colours[ImGuiCol_FrameBgHovered] = grey(0.875f);
@@ -106,6 +142,10 @@ void apply_theme(float scale) {
   colours[ImGuiCol_SliderGrabActive] = accent;
   colours[ImGuiCol_ScrollbarBg] = grey(0.968f);
   colours[ImGuiCol_ScrollbarGrab] = grey(0.82f);
+}
+
+void set_dark(bool is_dark) {
+  apply_theme(screen_scale, is_dark);
 }
 
 }  // namespace inkcell::tools

@@ -6,25 +6,30 @@
 namespace inkcell::tools {
 
 namespace colour {
-inline constexpr ImU32 kPaper = IM_COL32(255, 255, 255, 255);
-inline constexpr ImU32 kInk = IM_COL32(34, 38, 46, 255);
-inline constexpr ImU32 kFaint = IM_COL32(122, 130, 142, 255);
-inline constexpr ImU32 kRule = IM_COL32(221, 225, 231, 255);
-inline constexpr ImU32 kFill = IM_COL32(233, 236, 241, 255);
-inline constexpr ImU32 kZone = IM_COL32(190, 200, 214, 255);
-inline constexpr ImU32 kGuide = IM_COL32(120, 170, 220, 255);
-inline constexpr ImU32 kLayer = IM_COL32(196, 150, 196, 255);
-inline constexpr ImU32 kWarning = IM_COL32(240, 196, 64, 255);
-inline constexpr ImU32 kCorner = IM_COL32(196, 64, 52, 255);
-inline constexpr ImU32 kSmooth = IM_COL32(38, 132, 84, 255);
-inline constexpr ImU32 kHandle = IM_COL32(94, 122, 176, 255);
-inline constexpr ImU32 kSelected = IM_COL32(244, 132, 20, 255);
-inline constexpr ImU32 kTool = IM_COL32(30, 110, 214, 255);
-inline constexpr ImU32 kComponent = IM_COL32(214, 224, 240, 255);
+// Of the theme that apply_theme() set last.
+inline ImU32 paper = 0;
+inline ImU32 ink = 0;
+inline ImU32 faint = 0;
+inline ImU32 rule = 0;
+inline ImU32 fill = 0;
+inline ImU32 zone = 0;
+inline ImU32 guide = 0;
+inline ImU32 layer = 0;
+inline ImU32 warning = 0;
+inline ImU32 corner = 0;
+inline ImU32 smooth = 0;
+inline ImU32 handle = 0;
+inline ImU32 selected = 0;
+inline ImU32 tool = 0;
+inline ImU32 component = 0;
+inline ImU32 raised = 0;
 }  // namespace colour
 
-/// Sets ImGui's colours and spacing for a scale of the screen.
-void apply_theme(float scale);
+/// Sets the colours above, and ImGui's colours and spacing for a scale of the
+/// screen.
+void apply_theme(float scale, bool is_dark = false);
+/// The same for the scale that was set last.
+void set_dark(bool is_dark);
 
 /// Adds the fonts of the window. Call before the first frame.
 void add_fonts(float scale);

@@ -30,9 +30,9 @@ void tooltip(const char* text, const char* keys) {
 
 bool choice(const char* label, bool is_chosen, const char* hint) {
   if (is_chosen) {
-    ImGui::PushStyleColor(ImGuiCol_Button, colour::kTool);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colour::kTool);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kPaper);
+    ImGui::PushStyleColor(ImGuiCol_Button, colour::tool);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colour::tool);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::paper);
   }
   const bool is_pressed = ImGui::Button(label);
   if (is_chosen) {

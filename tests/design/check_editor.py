@@ -507,6 +507,18 @@ def check_screenshots(editor):
     editor.run("open P.ufo", "glyph a", "select 3", "screenshot b.ppm")
     expect(first != (editor.folder / "b.ppm").read_bytes(),
            "a selected point is not seen")
+    handle, = editor.run("open P.ufo", "glyph a", "print")
+    x, y = next(point[:2] for point in points_of(handle)
+                if point[2] == "offcurve")
+    shots = {}
+    for name, *more in (("far", "hover -9000 0"), ("near", f"hover {x} {y}"),
+                        ("dark", "key shift+d"), ("light", "key shift+d",
+                                                  "key shift+d")):
+        editor.run("open P.ufo", "glyph a", *more, "screenshot c.ppm")
+        shots[name] = (editor.folder / "c.ppm").read_bytes()
+    expect(shots["far"] == first != shots["near"],
+           "handles are not only where the pointer is")
+    expect(shots["dark"] != first == shots["light"], "the dark theme")
     size, colours = pixels(editor.folder / "a.ppm")
     expect(size == (1440, 900) and len(set(colours[::3])) > 50, "screenshot")
 

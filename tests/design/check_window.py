@@ -153,7 +153,7 @@ class WindowTest(unittest.TestCase):
         steps.drag("point", letter, [(x, y), (x - 20, y + 10), (x - 60, y)])
         steps.key("undo", "ctrl+z", "ctrl+z")
         steps.key("redo", "ctrl+y", "ctrl+y")
-        steps.add("1 bit, 12 px", ["preview 12 mono dark"],
+        steps.add("1 bit, 12 px", ["preview 12 mono dark", "hover -9e4 -9e4"],
                   ("mousemove", *MONO), ("click", 1), ("mousemove", *SIZE),
                   ("click", "--repeat", 2, "--delay", 60, 1), ("type", "12"),
                   ("key", "Return"), ("mousemove", *REST))

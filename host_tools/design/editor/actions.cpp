@@ -231,6 +231,8 @@ std::vector<Action> make_list() {
       {"Zoom out", "-", [](Editor& e) { zoom(e, 1 / kZoomStep); }},
       {"Dark display", "d",
        [](Editor& e) { e.preview.dark = !e.preview.dark; }},
+      {"Dark theme", "shift+d",
+       [](Editor& e) { e.dark_theme = !e.dark_theme; }},
       {"Other layers", "shift+l",
        [](Editor& e) { e.shows_layers = !e.shows_layers; }},
       {"Cells", "c", [](Editor& e) { e.preview.cells = !e.preview.cells; }},

@@ -248,6 +248,13 @@ void Editor::export_to(const fs::path& file) {
              (report.glyphs == 0 ? "" : ": " + report.text())};
 }
 
+bool Editor::is_changed(const std::string& glyph) const {
+  const GlyphPointer now = project().find(glyph);
+  const GlyphPointer saved = session_->files().project.find(glyph);
+  return now != saved &&
+         (now == nullptr || saved == nullptr || !(*now == *saved));
+}
+
 void Editor::show(const std::string& glyph) {
   if (!is_open()) {
     throw Error("glyph '" + glyph + "': open a font first");

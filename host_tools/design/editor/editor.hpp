@@ -2,6 +2,7 @@
 // scripts use it, too.
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -101,6 +102,8 @@ class Editor {
   /// Only if is_open().
   const Session& session() const { return *session_; }
   const Project& project() const { return session_->project(); }
+  /// Whether a glyph differs from what was saved.
+  bool is_changed(const std::string& glyph) const;
 
   void select_nothing();
   /// Adds all points of a contour to the selection.
@@ -149,8 +152,10 @@ class Editor {
   std::optional<Value> pending;
   Clipboard clipboard;
   View view;
+  Point hover = {INFINITY, INFINITY};  // the pointer's last place on the canvas
   NibSettings nib;
   PreviewSettings preview;
+  bool dark_theme = false;
   bool shows_layers = true;  // other layers, behind the default one
   Message message;
 

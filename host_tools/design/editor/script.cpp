@@ -63,10 +63,12 @@ PointId point_of(const Line& line, size_t i) {
               line.editor.glyph_name() + "' has fewer");
 }
 
+// The pointer of a line, which is where it is shown.
 Pointer pointer(const Line& line, size_t first) {
   Pointer pointer;
   pointer.at = {number(line, first), number(line, first + 1)};
   pointer.reach = kReach / line.editor.view.scale;
+  line.editor.hover = pointer.at;
   const auto has = [&line](const char* word) {
     return std::find(line.words.begin(), line.words.end(), word) !=
            line.words.end();
@@ -266,6 +268,9 @@ const std::vector<Command>& command_list() {
        true},
       {{"release", "X Y", "release the pointer"},
        [](const Line& l) { l.editor.tool().release(l.editor, pointer(l, 0)); },
+       true},
+      {{"hover", "X Y", "move the pointer that is not pressed"},
+       [](const Line& l) { pointer(l, 0); },
        true},
       {{"nib", "ellipse:W,H,ANGLE", "choose the nib of the Stroke tool"},
        set_nib,

@@ -42,7 +42,7 @@ bool draw_work(const Panels& panels) {
   ImGui::SameLine(0, px(18));
   const std::string glyphs = std::to_string(work->done) + " of " +
                              std::to_string(work->count) + " glyphs";
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour::kGuide);
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour::guide);
   ImGui::ProgressBar(part, ImVec2(px(260), 0),
                      work->count == 0 ? "" : glyphs.c_str());
   ImGui::PopStyleColor();
@@ -127,7 +127,7 @@ void draw_status(Panels& panels) {
   }
   const Settings& settings = panels.simulator.settings;
   if (!panels.problem.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
     ImGui::TextUnformatted(panels.problem.c_str());
     ImGui::PopStyleColor();
     return;

@@ -26,10 +26,10 @@ void draw_grid(const View& view, ImVec2 origin) {
                   origin.y + static_cast<float>(p.y));
   };
   for (double x = std::ceil(low.x); x <= high.x; ++x) {
-    list.AddLine(at(x, low.y), at(x, high.y), colour::kFill);
+    list.AddLine(at(x, low.y), at(x, high.y), colour::fill);
   }
   for (double y = std::ceil(low.y); y <= high.y; ++y) {
-    list.AddLine(at(low.x, y), at(high.x, y), colour::kFill);
+    list.AddLine(at(low.x, y), at(high.x, y), colour::fill);
   }
 }
 
@@ -66,6 +66,9 @@ void handle_pointer(Editor& editor, ImVec2 origin) {
   }
   const Pointer pointer = pointer_at(editor, origin);
   const bool is_moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  if (is_moved && (ImGui::IsItemHovered() || is_held)) {
+    editor.hover = pointer.at;
+  }
   const bool is_released = ImGui::IsItemDeactivated();
   attempt(editor, [&] {
     if (ImGui::IsItemActivated()) {
@@ -85,7 +88,7 @@ void draw_heading(const Editor& editor, ImVec2 origin) {
   std::snprintf(text, sizeof text, "%s    advance %g    %.0f %%",
                 glyph->name.c_str(), glyph->width, 100 * editor.view.scale);
   ImGui::GetWindowDrawList()->AddText({origin.x + px(12), origin.y + px(9)},
-                                      colour::kInk, text);
+                                      colour::ink, text);
 }
 
 }  // namespace
@@ -95,7 +98,7 @@ void draw_canvas(Panels& panels) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   ImGui::GetWindowDrawList()->AddRectFilled(
-      origin, {origin.x + size.x, origin.y + size.y}, colour::kPaper);
+      origin, {origin.x + size.x, origin.y + size.y}, colour::paper);
   const bool is_resized =
       editor.view.width != size.x || editor.view.height != size.y;
   editor.view.width = size.x;

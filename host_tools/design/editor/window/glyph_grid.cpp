@@ -1,7 +1,10 @@
 // All glyphs of the font.
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "editor/glyph_set.hpp"
 #include "editor/thumbnail.hpp"
 #include "editor/window/panels.hpp"
 #include "rom_file.hpp"
@@ -23,6 +26,22 @@ std::string label_of(const Glyph& glyph) {
   return glyph.name.substr(0, kLetters);
 }
 
+// Nothing is drawn yet.
+bool is_missing(const Glyph& glyph) {
+  const bool is_space = !glyph.unicodes.empty() && (glyph.unicodes[0] == U' ' ||
+                                                    glyph.unicodes[0] == 0xa0);
+  return glyph.contours.empty() && glyph.components.empty() && !is_space;
+}
+
+// Whether a glyph's name or character, or U+ and its code point, has `text`.
+bool matches(const Glyph& glyph, const std::string& text) {
+  bool found = glyph.name.find(text) != std::string::npos;
+  for (const char32_t c : glyph.unicodes) {
+    found = found || tools::to_utf8(c) == text;
+  }
+  return found || character_list(glyph).find(text) != std::string::npos;
+}
+
 void draw_cell(Panels& panels, const std::string& name) {
   Editor& editor = panels.editor;
   const GlyphPointer glyph = editor.project().find(name);
@@ -38,9 +57,9 @@ void draw_cell(Panels& panels, const std::string& name) {
   const bool is_shown = name == editor.glyph_name();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end = {at.x + side, at.y + side + label};
-  list.AddRectFilled(at, end, colour::kPaper, px(3));
+  list.AddRectFilled(at, end, colour::paper, px(3));
   if (is_shown || ImGui::IsItemHovered()) {
-    list.AddRect(at, end, is_shown ? colour::kTool : colour::kZone, px(3), 0,
+    list.AddRect(at, end, is_shown ? colour::tool : colour::zone, px(3), 0,
                  is_shown ? 2.0f : 1.0f);
   }
   ImTextureID texture = panels.textures.find(glyph.get());
@@ -50,17 +69,32 @@ void draw_cell(Panels& panels, const std::string& name) {
         thumbnail(editor.project(), *glyph, static_cast<int>(side)));
   }
   if (texture != nullptr) {
-    list.AddImage(texture, at, {at.x + side, at.y + side});
+    list.AddImage(texture, at, {at.x + side, at.y + side}, {0, 0}, {1, 1},
+                  colour::ink);
   }
   const std::string text = label_of(*glyph);
+  if (is_missing(*glyph)) {  // its character, pale
+    const float wide = ImGui::CalcTextSize(text.c_str()).x;
+    list.PushClipRect(at, end, true);
+    list.AddText({std::round(at.x + (side - wide) / 2), at.y + px(16)},
+                 colour::zone, text.c_str());
+    list.PopClipRect();
+  }
+  if (editor.is_changed(name)) {
+    list.AddCircleFilled({end.x - px(6), at.y + px(6)}, px(2.5f),
+                         colour::selected);
+  }
   ImGui::PushFont(tools::small_font());
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   list.PushClipRect(at, end, true);
   list.AddText({std::round(at.x + (side - width) / 2), at.y + side - px(2)},
-               colour::kFaint, text.c_str());
+               colour::faint, text.c_str());
   list.PopClipRect();
   ImGui::PopFont();
-  tooltip(name.c_str());
+  const std::string hint =
+      name + (is_missing(*glyph) ? ", empty" : "") +
+      (editor.is_changed(name) ? ", changed since it was saved" : "");
+  tooltip(hint.c_str());
 }
 
 // Scrolls to the shown glyph when that changes.
@@ -89,8 +123,27 @@ void draw_glyph_grid(Panels& panels) {
     ImGui::TextDisabled("No font is open");
     return;
   }
-  const std::vector<std::string> order = glyph_order(editor.project());
+  std::vector<std::string> order = glyph_order(editor.project());
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##search", "Search: name, character, U+0041",
+                           &panels.search);
+  size_t missing = 0;
+  for (const std::string& name : order) {
+    missing += is_missing(*editor.project().find(name)) ? 1u : 0u;
+  }
   ImGui::Text(order.size() == 1 ? "%zu glyph" : "%zu glyphs", order.size());
+  if (missing != 0) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%zu empty", missing);
+  }
+  if (!panels.search.empty()) {
+    order.erase(std::remove_if(order.begin(), order.end(),
+                               [&](const std::string& name) {
+                                 return !matches(*editor.project().find(name),
+                                                 panels.search);
+                               }),
+                order.end());
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
   ImGui::BeginChild("grid");
   const float pitch = px(kCell) + px(kGap);

@@ -110,6 +110,7 @@ void draw_menu(Panels& panels) {
     ImGui::Separator();
     item(panels, "Cells", panels.editor.preview.cells);
     item(panels, "Dark display", panels.editor.preview.dark);
+    item(panels, "Dark theme", panels.editor.dark_theme);
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();

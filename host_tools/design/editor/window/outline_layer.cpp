@@ -13,6 +13,8 @@
 namespace inkcell::design::editor {
 namespace {
 
+constexpr float kHandleReach = 44;  // of the pointer that shows handles
+
 float to_float(double value) {
   return static_cast<float>(value);
 }
@@ -36,11 +38,11 @@ void OutlineLayer::draw_zones() const {
   for (const Zone& zone : zones_of(panels_.editor.project())) {
     const float at = std::round(map(0, zone.y).y);
     list_.AddRectFilled({origin_.x, at}, {right, at + 1},
-                        zone.y == 0 ? colour::kFaint : colour::kZone);
+                        zone.y == 0 ? colour::faint : colour::zone);
     char text[64];
     std::snprintf(text, sizeof text, "%s %g", zone.label, zone.y);
     list_.AddText({origin_.x + px(8), at - ImGui::GetFontSize() - px(1)},
-                  colour::kFaint, text);
+                  colour::faint, text);
   }
   if (panels_.editor.tool_kind() == ToolKind::spacing) {
     return;
@@ -49,7 +51,7 @@ void OutlineLayer::draw_zones() const {
     const float at = std::round(map(x, 0).x);
     list_.AddRectFilled({at, origin_.y},
                         {at + 1, origin_.y + to_float(view_.height)},
-                        colour::kZone);
+                        colour::zone);
   }
 }
 
@@ -63,10 +65,9 @@ void OutlineLayer::draw_guides() const {
     const double middle =
         dx * (view_.x - line.p[0].x) + dy * (view_.y - line.p[0].y);
     const Point at = {line.p[0].x + middle * dx, line.p[0].y + middle * dy};
-    list_.AddLine(
-        map(at.x - reach * dx, at.y - reach * dy),
-        map(at.x + reach * dx, at.y + reach * dy),
-        panels_.editor.guide == i ? colour::kSelected : colour::kGuide);
+    list_.AddLine(map(at.x - reach * dx, at.y - reach * dy),
+                  map(at.x + reach * dx, at.y + reach * dy),
+                  panels_.editor.guide == i ? colour::selected : colour::guide);
   }
 }
 
@@ -81,7 +82,7 @@ void OutlineLayer::draw_layers() const {
       continue;
     }
     for (const PointContour& contour : other->contours) {
-      outline(contour, colour::kLayer);
+      outline(contour, colour::layer);
     }
   }
 }
@@ -127,7 +128,8 @@ void OutlineLayer::draw_background() const {
   };
   list_.AddImageQuad(texture, corner(0, image->height),
                      corner(image->width, image->height),
-                     corner(image->width, 0), corner(0, 0));
+                     corner(image->width, 0), corner(0, 0), {0, 0}, {1, 0},
+                     {1, 1}, {0, 1}, colour::ink);
 }
 
 // Row by row, as the union of all contours.
@@ -165,7 +167,7 @@ void OutlineLayer::draw_fill() const {
   }
   if (panels_.shape != nullptr && !panels_.shape->empty()) {
     fill(*panels_.shape, gen::kUPerEm / panels_.editor.project().units_per_em(),
-         colour::kFill);
+         colour::fill);
   }
 }
 
@@ -181,11 +183,11 @@ void OutlineLayer::draw_components() const {
     }
     const gen::Shape shape(outline_of(project, part));
     if (!shape.empty()) {
-      fill(shape, gen::kUPerEm / project.units_per_em(), colour::kComponent);
+      fill(shape, gen::kUPerEm / project.units_per_em(), colour::component);
     }
     for (const PointContour& contour : part.contours) {
-      outline(contour, panels_.editor.component == i ? colour::kSelected
-                                                     : colour::kHandle);
+      outline(contour, panels_.editor.component == i ? colour::selected
+                                                     : colour::handle);
     }
   }
 }
@@ -197,7 +199,7 @@ void OutlineLayer::draw_parts() const {
     for (size_t i = 0; i < parts.size(); ++i) {
       const bool is_selected = panels_.editor.part == i;
       for (const PointContour& contour : contours_of_part(project, parts[i])) {
-        outline(contour, is_selected ? colour::kSelected : colour::kGuide);
+        outline(contour, is_selected ? colour::selected : colour::guide);
       }
     }
   });
@@ -231,49 +233,74 @@ void OutlineLayer::outline(const PointContour& contour, ImU32 colour) const {
 
 void OutlineLayer::draw_contours() const {
   for (const PointContour& contour : glyph_->contours) {
-    outline(contour, colour::kInk);
+    outline(contour, colour::ink);
     for (const gen::Segment& segment : segments_of(contour)) {
       if (segment.kind == gen::Segment::Kind::line &&
           is_nearly_level(segment.p[0], segment.p[1])) {
         list_.AddLine(map(segment.p[0].x, segment.p[0].y),
-                      map(segment.p[1].x, segment.p[1].y), colour::kWarning,
+                      map(segment.p[1].x, segment.p[1].y), colour::warning,
                       px(3));
       }
     }
   }
 }
 
-// Lines from handles to their points.
-void OutlineLayer::handles(const PointContour& contour) const {
-  const std::vector<GlyphPoint>& points = contour.points;
+// Whether a handle is shown: it or a point next to it is selected, or the
+// pointer is near.
+bool OutlineLayer::shows_handle(size_t contour, size_t point) const {
+  const Selection& selection = panels_.editor.selection;
+  const std::vector<GlyphPoint>& points = glyph_->contours[contour].points;
+  const size_t count = points.size();
+  const double reach = px(kHandleReach) / view_.scale;
+  for (size_t i = 0; i < 5; ++i) {
+    const size_t at = (point + count + i - 2) % count;
+    const GlyphPoint& p = points[at];
+    const Point hover = panels_.editor.hover;
+    if ((i == 2 || p.on_curve()) &&
+        (selection.count({contour, at}) != 0 ||
+         std::hypot(p.x - hover.x, p.y - hover.y) < reach)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Lines from handles that are shown to their points.
+void OutlineLayer::handles(size_t contour) const {
+  const PointContour& drawn = glyph_->contours[contour];
+  const std::vector<GlyphPoint>& points = drawn.points;
   for (size_t i = 0; i < points.size(); ++i) {
+    const size_t next = (i + 1) % points.size();
     const GlyphPoint& a = points[i];
-    const GlyphPoint& b = points[(i + 1) % points.size()];
+    const GlyphPoint& b = points[next];
     const bool is_closing = i + 1 == points.size();
-    if (a.on_curve() != b.on_curve() && !(is_closing && contour.open())) {
-      list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kHandle);
+    if (a.on_curve() != b.on_curve() && !(is_closing && drawn.open()) &&
+        shows_handle(contour, a.on_curve() ? next : i)) {
+      list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::handle);
     }
   }
 }
 
 void OutlineLayer::draw_points() const {
   const Selection& selection = panels_.editor.selection;
-  const float half = px(3.5f);
+  const float half = px(3);
   const bool has_points = !has_tree(*glyph_);  // others are made of parts
   for (size_t c = 0; has_points && c < glyph_->contours.size(); ++c) {
-    handles(glyph_->contours[c]);
+    handles(c);
     const std::vector<GlyphPoint>& points = glyph_->contours[c].points;
     for (size_t i = 0; i < points.size(); ++i) {
       const GlyphPoint& point = points[i];
       const ImVec2 at = map(point.x, point.y);
       const bool is_selected = selection.count({c, i}) != 0;
-      const ImU32 colour = is_selected         ? colour::kSelected
-                           : !point.on_curve() ? colour::kHandle
-                           : point.smooth      ? colour::kSmooth
-                                               : colour::kCorner;
+      const ImU32 colour = is_selected         ? colour::selected
+                           : !point.on_curve() ? colour::handle
+                           : point.smooth      ? colour::smooth
+                                               : colour::corner;
       if (!point.on_curve()) {
-        list_.AddCircleFilled(at, half, is_selected ? colour : colour::kPaper);
-        list_.AddCircle(at, half, colour, 0, px(1.3f));
+        if (shows_handle(c, i)) {
+          list_.AddCircleFilled(at, half, is_selected ? colour : colour::paper);
+          list_.AddCircle(at, half, colour, 0, px(1.3f));
+        }
       } else if (point.smooth) {
         list_.AddCircleFilled(at, half + px(0.8f), colour);
       } else {
@@ -284,8 +311,8 @@ void OutlineLayer::draw_points() const {
   }
   for (const Anchor& anchor : glyph_->anchors) {
     const ImVec2 at = map(anchor.x, anchor.y);
-    list_.AddNgonFilled(at, half + px(1), colour::kTool, 4);
-    list_.AddText({at.x + px(7), at.y - px(8)}, colour::kTool,
+    list_.AddNgonFilled(at, half + px(1), colour::tool, 4);
+    list_.AddText({at.x + px(7), at.y - px(8)}, colour::tool,
                   anchor.name.c_str());
   }
 }
@@ -293,11 +320,11 @@ void OutlineLayer::draw_points() const {
 void OutlineLayer::draw_marks() const {
   const Marks marks = panels_.editor.tool().marks(panels_.editor);
   for (const auto& [a, b] : marks.lines) {
-    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kTool, px(1.4f));
+    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::tool, px(1.4f));
   }
   for (const auto& [a, b] : marks.levels) {
-    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kSelected);
-    list_.AddCircle(map(a.x, a.y), px(5), colour::kSelected);
+    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::selected);
+    list_.AddCircle(map(a.x, a.y), px(5), colour::selected);
   }
   if (marks.box) {
     const ImVec2 a = map(marks.box->first.x, marks.box->first.y);
@@ -305,10 +332,10 @@ void OutlineLayer::draw_marks() const {
     const ImVec2 low = {std::min(a.x, b.x), std::min(a.y, b.y)};
     const ImVec2 high = {std::max(a.x, b.x), std::max(a.y, b.y)};
     list_.AddRectFilled(low, high, IM_COL32(30, 110, 214, 28));
-    list_.AddRect(low, high, colour::kTool);
+    list_.AddRect(low, high, colour::tool);
   }
   for (const Point dot : marks.dots) {
-    list_.AddCircleFilled(map(dot.x, dot.y), px(3.2f), colour::kTool);
+    list_.AddCircleFilled(map(dot.x, dot.y), px(3.2f), colour::tool);
   }
   for (const auto& [at, text] : marks.labels) {
     const ImVec2 place = map(at.x, at.y);
@@ -316,8 +343,8 @@ void OutlineLayer::draw_marks() const {
     const ImVec2 low = {std::round(place.x + px(8)), std::round(place.y)};
     list_.AddRectFilled({low.x - px(4), low.y - px(2)},
                         {low.x + size.x + px(4), low.y + size.y + px(2)},
-                        colour::kPaper, px(3));
-    list_.AddText(low, colour::kTool, text.c_str());
+                        colour::paper, px(3));
+    list_.AddText(low, colour::tool, text.c_str());
   }
 }
 

@@ -34,7 +34,8 @@ class OutlineLayer {
             ImU32 colour,
             double x = 0) const;
   void outline(const PointContour& contour, ImU32 colour) const;
-  void handles(const PointContour& contour) const;
+  bool shows_handle(size_t contour, size_t point) const;
+  void handles(size_t contour) const;
 
   Panels& panels_;
   ImVec2 origin_;

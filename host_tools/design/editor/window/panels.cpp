@@ -14,7 +14,7 @@ void draw_message(const Message& message) {
     ImGui::TextDisabled("%s", message.text.c_str());
     return;
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopStyleColor();
   tooltip(message.text.c_str());
@@ -23,6 +23,10 @@ void draw_message(const Message& message) {
 }  // namespace
 
 void draw_window(Panels& panels) {
+  if (panels.dark_theme != panels.editor.dark_theme) {
+    panels.dark_theme = panels.editor.dark_theme;
+    tools::set_dark(panels.dark_theme);
+  }
   draw_menu(panels);
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();

@@ -42,6 +42,8 @@ struct Panels {
 
   Editor& editor;
   Textures& textures;
+  bool dark_theme = false;                 // as it was set last
+  std::string search;                      // in the grid of glyphs
   std::shared_ptr<const Preview> preview;  // what is shown, may be null
   bool preview_is_busy = false;
   bool wants_quit = false;

@@ -11,7 +11,7 @@ namespace inkcell::design::editor {
 namespace {
 
 constexpr float kGlyphHeight = 176;  // of the enlarged glyph's frame
-constexpr int kMostEnlarged = 16;
+constexpr int kMostEnlarged = 24;
 
 void draw_choices(PreviewSettings& settings) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(7)));
@@ -51,13 +51,39 @@ ImVec2 frame(const PreviewSettings& settings, float height) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 end = {at.x + width, at.y + height};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, end,
-                     settings.dark ? IM_COL32(0, 0, 0, 255) : colour::kPaper);
-  list.AddRect(at, end, colour::kRule);
+  list.AddRectFilled(at, end, settings.dark ? IM_COL32_BLACK : IM_COL32_WHITE);
+  list.AddRect(at, end, colour::rule);
   ImGui::Dummy({width, height});
   return at;
 }
 
+// The pixels that differ from the background, with one around them.
+struct PixelBox {
+  int x0;
+  int y0;
+  int x1;
+  int y1;
+};
+
+PixelBox ink_of(const tools::Image& image) {
+  PixelBox box = {image.width, image.height, 0, 0};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (!std::equal(image.at(0, 0), image.at(0, 0) + image.channels,
+                      image.at(x, y))) {
+        box = {std::min(box.x0, x - 1), std::min(box.y0, y - 1),
+               std::max(box.x1, x + 2), std::max(box.y1, y + 2)};
+      }
+    }
+  }
+  if (box.x1 == 0) {
+    return {0, 0, image.width, image.height};
+  }
+  return {std::max(box.x0, 0), std::max(box.y0, 0),
+          std::min(box.x1, image.width), std::min(box.y1, image.height)};
+}
+
+// The glyph's ink, as large as it fits.
 void draw_glyph(Panels& panels, const Preview& preview) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = frame(panels.editor.preview, px(kGlyphHeight));
@@ -65,19 +91,25 @@ void draw_glyph(Panels& panels, const Preview& preview) {
   if (image.width == 0) {
     return;
   }
+  const PixelBox ink = ink_of(image);
   const auto fits = [](float side, int pixels) {
     return static_cast<int>(side) / pixels;
   };
-  const int enlarged = std::clamp(
-      std::min(fits(px(kGlyphHeight), image.height), fits(width, image.width)),
-      1, kMostEnlarged);
-  const auto centred = [enlarged](float side, int pixels) {
-    return std::round((side - static_cast<float>(pixels * enlarged)) / 2);
+  const int enlarged =
+      std::clamp(std::min(fits(px(kGlyphHeight), ink.y1 - ink.y0),
+                          fits(width, ink.x1 - ink.x0)),
+                 1, kMostEnlarged);
+  const auto place = [enlarged](float side, int low, int high) {
+    const auto size = static_cast<float>((high - low) * enlarged);
+    return std::round((side - size) / 2) - static_cast<float>(low * enlarged);
   };
+  ImGui::PushClipRect({at.x + 1, at.y + 1},
+                      {at.x + width - 1, at.y + px(kGlyphHeight) - 1}, true);
   picture(panels, image,
-          {at.x + centred(width, image.width),
-           at.y + centred(px(kGlyphHeight), image.height)},
+          {at.x + place(width, ink.x0, ink.x1),
+           at.y + place(px(kGlyphHeight), ink.y0, ink.y1)},
           enlarged);
+  ImGui::PopClipRect();
 }
 
 void draw_lines(Panels& panels, const Preview& preview) {
@@ -140,7 +172,7 @@ void draw_preview_panel(Panels& panels) {
   }
   const Preview& preview = *panels.preview;
   if (!preview.error.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
     ImGui::TextWrapped("%s", preview.error.c_str());
     ImGui::PopStyleColor();
     return;

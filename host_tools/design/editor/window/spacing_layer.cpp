@@ -47,14 +47,14 @@ void OutlineLayer::draw_line() const {
     const bool is_shown = placed.name == panels_.editor.glyph_name();
     const auto shape = shape_in_line(panels_, project, placed);
     if (shape != nullptr && !shape->empty()) {
-      fill(*shape, scale, colour::kInk, placed.x);
+      fill(*shape, scale, colour::ink, placed.x);
     }
     const float edges[] = {map(placed.x, 0).x,
                            map(placed.x + placed.glyph->width, 0).x};
     for (const float x : edges) {
       for (float y = top; y < bottom; y += px(8)) {
         list_.AddLine({x, y}, {x, std::min(y + px(4), bottom)},
-                      is_shown ? colour::kTool : colour::kZone);
+                      is_shown ? colour::tool : colour::zone);
       }
     }
     const auto caption = [&](float y, ImU32 colour, double value) {
@@ -64,13 +64,13 @@ void OutlineLayer::draw_line() const {
           {(edges[0] + edges[1] - ImGui::CalcTextSize(text).x) / 2, y}, colour,
           text);
     };
-    caption(bottom + px(4), colour::kFaint, placed.glyph->width);
+    caption(bottom + px(4), colour::faint, placed.glyph->width);
     if (placed.kern != 0) {
       list_.AddRectFilled({map(placed.x - placed.kern, 0).x, bottom + px(20)},
-                          {edges[0], bottom + px(24)}, colour::kSelected);
+                          {edges[0], bottom + px(24)}, colour::selected);
       char text[32];
       std::snprintf(text, sizeof text, "%g", placed.kern);
-      list_.AddText({edges[0] - px(8), bottom + px(26)}, colour::kSelected,
+      list_.AddText({edges[0] - px(8), bottom + px(26)}, colour::selected,
                     text);
     }
   }

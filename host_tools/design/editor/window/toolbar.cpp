@@ -23,13 +23,12 @@ void draw_toolbar(Panels& panels) {
     }
     const ImVec2 end = {at.x + side, at.y + side};
     if (is_chosen || ImGui::IsItemHovered()) {
-      list.AddRectFilled(
-          at, end, is_chosen ? colour::kTool : IM_COL32(224, 229, 236, 255),
-          px(5));
+      list.AddRectFilled(at, end, is_chosen ? colour::tool : colour::raised,
+                         px(5));
     }
     const float inset = (side - px(kIcon)) / 2;
     draw_icon(tool.kind, {at.x + inset, at.y + inset}, px(kIcon),
-              is_chosen ? colour::kPaper : colour::kInk);
+              is_chosen ? colour::paper : colour::ink);
     const std::string text = std::string(tool.name) + ". " + tool.hint;
     const std::string key(1, static_cast<char>(tool.key[0] - 'a' + 'A'));
     tooltip(text.c_str(), key.c_str());
