@@ -408,6 +408,24 @@ def check_parts(editor):
            "undo brings the parts back")
 
 
+def check_lua(editor):
+    """A program in Lua draws letters; again with other parameters; undo."""
+    sample = pathlib.Path(__file__).resolve().parents[2] / \
+        "host_tools/design/samples/pen_face.lua"
+    thin, bold, u, back, gone = editor.run(
+        "new Lua.ufo A Mine 1000 750 -250 500 700", f"lua {sample}", "glyph n",
+        "print", f"lua {sample} weight=150", "print", "glyph u", "print",
+        "glyph n", "key ctrl+z", "print", "glyph A", "key ctrl+z",
+        "try glyph n", "print")
+    expect(bold["width"] == thin["width"] + 70 and
+           bold["contours"] != thin["contours"], "a heavier pen")
+    expect(u["components"] == 1, f"u is drawn anew: {u['components']}")
+    expect(back["contours"] == thin["contours"], "the thin pen comes back")
+    expect("'n'" in gone["message"], "a program is one step for undo")
+    failed = editor.start("open Lua.ufo", "glyph A", f"lua {sample} wight=3")
+    expect("no such parameter; it has weight" in failed.stderr, failed.stderr)
+
+
 def check_clipboard(editor):
     """Copies within a glyph and between glyphs."""
     before, twice, pasted, gone = editor.run(
@@ -625,6 +643,7 @@ def main():
         check_spacing(editor)
         check_transform(editor)
         check_parts(editor)
+        check_lua(editor)
         check_clipboard(editor)
         check_levels(editor)
         check_latency(editor)

@@ -198,7 +198,7 @@ std::vector<Action> make_list() {
          e.run({{"do", "round_points"}});
        }},
       {"Unite", "ctrl+u", [](Editor& e) { combine(e, "union"); }},
-      {"Subtract", "", [](Editor& e) { combine(e, "difference"); }},
+      {"Subtract", "ctrl+shift+d", [](Editor& e) { combine(e, "difference"); }},
       {"Intersect", "", [](Editor& e) { combine(e, "intersection"); }},
       {"Exclude", "", [](Editor& e) { combine(e, "exclusion"); }},
       transformed("Reflect left and right", "", {{"reflect", "x"}}),
@@ -209,7 +209,7 @@ std::vector<Action> make_list() {
        [](Editor& e) {
          e.run({{"do", "to_cubics"}});
        }},
-      {"Combine components", "",
+      {"Combine components", "ctrl+shift+u",
        [](Editor& e) { e.run(combine_components(*e.glyph())); }},
       {"Turn into outline", "", [](Editor& e) { e.make_outline(); }},
       {"Decompose", "",

@@ -10,6 +10,7 @@
 #include "editor/actions.hpp"
 #include "editor/glyph_set.hpp"
 #include "editor/latency.hpp"
+#include "editor/lua_run.hpp"
 #include "editor/report.hpp"
 #include "import/image_import.hpp"
 #include "model/error.hpp"
@@ -285,6 +286,16 @@ const std::vector<Command>& command_list() {
            throw Error("a command is a JSON object");
          }
          l.editor.run(command);
+       },
+       true},
+      {{"lua", "FILE.lua [NAME=NUMBER]...", "carry out a program in Lua"},
+       [](const Line& l) {
+         ScriptOptions options;
+         for (size_t i = 1; i < l.words.size(); ++i) {
+           add_setting(l.words[i], options);
+         }
+         l.editor.run(
+             run_lua(l.editor.project(), word(l, 0), options.settings).command);
        },
        true},
       {{"background", "FILE.png", "put a picture behind the glyph"},

@@ -22,24 +22,6 @@ struct ScriptArguments {
   ScriptOptions options;
 };
 
-void add_setting(const std::string& text, ScriptOptions& options) {
-  const size_t equals = text.find('=');
-  try {
-    if (equals != std::string::npos && equals != 0) {
-      const std::string number = text.substr(equals + 1);
-      size_t used = 0;
-      const double value = std::stod(number, &used);
-      if (used == number.size()) {
-        options.settings[text.substr(0, equals)] = value;
-        return;
-      }
-    }
-  } catch (const std::logic_error&) {
-    // the message below
-  }
-  throw Error("--set '" + text + "': write NAME=NUMBER, such as weight=80");
-}
-
 void run(ScriptArguments& arguments) {
   for (const std::string& text : arguments.settings) {
     add_setting(text, arguments.options);

@@ -25,7 +25,7 @@ struct Run {
   const std::function<const Project&()>* project = nullptr;
   const std::function<void(const Value&)>* play = nullptr;
   std::string chunk;  // "@" and the file
-  std::vector<std::string> parameters;
+  std::vector<ScriptParameter> parameters;
   size_t steps = 0;
   size_t bytes = 0;
 };
@@ -103,7 +103,6 @@ int param(lua_State* lua) {
     Run& run = run_of(lua);
     const std::string name = luaL_checkstring(lua, 1);
     double value = luaL_checknumber(lua, 2);
-    run.parameters.push_back(name);
     const auto set = run.options->settings.find(name);
     if (set != run.options->settings.end()) {
       value = set->second;
@@ -116,6 +115,7 @@ int param(lua_State* lua) {
            << least << " to " << most;
       throw Error(text.str());
     }
+    run.parameters.push_back({name, value, least, most});
     lua_pushnumber(lua, value);
     return 1;
   });
@@ -245,9 +245,9 @@ void check_settings(const Run& run) {
   for (const auto& [name, value] : run.options->settings) {
     bool is_known = false;
     std::string names;
-    for (const std::string& parameter : run.parameters) {
-      is_known = is_known || parameter == name;
-      names += (names.empty() ? "" : ", ") + parameter;
+    for (const ScriptParameter& parameter : run.parameters) {
+      is_known = is_known || parameter.name == name;
+      names += (names.empty() ? "" : ", ") + parameter.name;
     }
     if (!is_known) {
       throw Error("--set " + name + ": " + run.chunk.substr(1) +
@@ -259,10 +259,11 @@ void check_settings(const Run& run) {
 
 }  // namespace
 
-void run_script(const std::filesystem::path& file,
-                const ScriptOptions& options,
-                const std::function<const Project&()>& project,
-                const std::function<void(const Value& command)>& play) {
+std::vector<ScriptParameter> run_script(
+    const std::filesystem::path& file,
+    const ScriptOptions& options,
+    const std::function<const Project&()>& project,
+    const std::function<void(const Value& command)>& play) {
   const std::string text = read_text(file);
   Run run;
   run.options = &options;
@@ -289,6 +290,25 @@ void run_script(const std::filesystem::path& file,
   lua_sethook(lua, count_steps, LUA_MASKCOUNT, kStepsBetweenLooks);
   load_and_call(lua, text, run.chunk);
   check_settings(run);
+  return run.parameters;
+}
+
+void add_setting(const std::string& text, ScriptOptions& options) {
+  const size_t equals = text.find('=');
+  try {
+    if (equals != std::string::npos && equals != 0) {
+      const std::string number = text.substr(equals + 1);
+      size_t used = 0;
+      const double value = std::stod(number, &used);
+      if (used == number.size()) {
+        options.settings[text.substr(0, equals)] = value;
+        return;
+      }
+    }
+  } catch (const std::logic_error&) {
+    // the message below
+  }
+  throw Error("--set '" + text + "': write NAME=NUMBER, such as weight=80");
 }
 
 }  // namespace inkcell::design

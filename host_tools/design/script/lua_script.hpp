@@ -6,10 +6,20 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "journal/session.hpp"
 
 namespace inkcell::design {
+
+/// A parameter of a script and its range; both ends are the default value if
+/// the script states none.
+struct ScriptParameter {
+  std::string name;
+  double value = 0;
+  double least = 0;
+  double most = 0;
+};
 
 struct ScriptOptions {
   /// Values of the script's parameters, by name.
@@ -29,10 +39,15 @@ struct ScriptOptions {
 /// read. Scripts are deterministic.
 ///
 /// Throws Error that names the script and the line for any failure in it, and
-/// for settings that the script does not have.
-void run_script(const std::filesystem::path& file,
-                const ScriptOptions& options,
-                const std::function<const Project&()>& project,
-                const std::function<void(const Value& command)>& play);
+/// for settings that the script does not have. Returns the parameters that it
+/// asked for.
+std::vector<ScriptParameter> run_script(
+    const std::filesystem::path& file,
+    const ScriptOptions& options,
+    const std::function<const Project&()>& project,
+    const std::function<void(const Value& command)>& play);
+
+/// Adds "NAME=NUMBER" to the settings. Throws Error.
+void add_setting(const std::string& text, ScriptOptions& options);
 
 }  // namespace inkcell::design

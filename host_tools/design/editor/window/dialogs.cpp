@@ -28,7 +28,7 @@ struct Dialog {
   std::vector<std::string> endings;  // of the files that are listed
   std::vector<const char*> labels;   // of values after the first
   Values (*propose)(const Editor& editor);
-  void (*run)(Editor& editor, const Values& values);
+  void (*run)(Panels& panels, const Values& values);
 };
 
 Values nothing(const Editor&) {
@@ -43,16 +43,16 @@ double number_of(const std::string& label, const std::string& text) {
   }
 }
 
-void make_font(Editor& editor, const Values& values) {
-  editor.create(values[0],
-                {{"familyName", values[1]},
-                 {"styleName", "Regular"},
-                 {"unitsPerEm", number_of("Units an em", values[2])},
-                 {"ascender", number_of("Ascender", values[3])},
-                 {"descender", number_of("Descender", values[4])},
-                 {"xHeight", number_of("x-height", values[5])},
-                 {"capHeight", number_of("Cap height", values[6])}},
-                values[7]);
+void make_font(Panels& panels, const Values& values) {
+  panels.editor.create(values[0],
+                       {{"familyName", values[1]},
+                        {"styleName", "Regular"},
+                        {"unitsPerEm", number_of("Units an em", values[2])},
+                        {"ascender", number_of("Ascender", values[3])},
+                        {"descender", number_of("Descender", values[4])},
+                        {"xHeight", number_of("x-height", values[5])},
+                        {"capHeight", number_of("Cap height", values[6])}},
+                       values[7]);
 }
 
 const std::vector<Dialog>& dialog_list() {
@@ -63,7 +63,10 @@ const std::vector<Dialog>& dialog_list() {
        {".ufo", ".ttf", ".otf"},
        {},
        nothing,
-       [](Editor& editor, const Values& values) { editor.open(values[0]); }},
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
+         editor.open(values[0]);
+       }},
       {"New font",
        "A project (UFO) with empty glyphs: characters (A-Z,U+B0) or a name",
        "Make",
@@ -81,14 +84,18 @@ const std::vector<Dialog>& dialog_list() {
        {".ufo"},
        {},
        [](const Editor&) { return Values{"Copy.ufo"}; },
-       [](Editor& editor, const Values& values) { editor.save_as(values[0]); }},
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
+         editor.save_as(values[0]);
+       }},
       {"Export",
        "A font (.ttf, .bin) or a copy of the project (.ufo)",
        "Export",
        {".ttf", ".bin", ".ufo"},
        {},
        [](const Editor&) { return Values{"Font.ttf"}; },
-       [](Editor& editor, const Values& values) {
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
          editor.export_to(values[0]);
        }},
       {"Add glyphs",
@@ -97,7 +104,8 @@ const std::vector<Dialog>& dialog_list() {
        {},
        {},
        nothing,
-       [](Editor& editor, const Values& values) {
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
          const size_t before = editor.project().front().glyphs.size();
          editor.run(add_glyphs(editor.project(), values[0]));
          const size_t added = editor.project().front().glyphs.size() - before;
@@ -111,7 +119,8 @@ const std::vector<Dialog>& dialog_list() {
        [](const Editor& editor) {
          return Values{editor.glyph_name(), character_list(*editor.glyph())};
        },
-       [](Editor& editor, const Values& values) {
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
          std::vector<Value> commands = {set_characters(values[1])};
          if (values[0] != editor.glyph_name()) {
            commands.push_back(rename_to(values[0]));
@@ -126,10 +135,21 @@ const std::vector<Dialog>& dialog_list() {
        {},
        {},
        nothing,
-       [](Editor& editor, const Values& values) {
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
          editor.run(has_tree(*editor.glyph())
                         ? add_part(*editor.glyph(), values[0])
                         : Value{{"do", "add_component"}, {"base", values[0]}});
+       }},
+      {kScript,
+       "A program in Lua; its parameters become sliders",
+       "Run",
+       {".lua"},
+       {},
+       nothing,
+       [](Panels& panels, const Values& values) {
+         panels.lua = run_lua(panels.editor.project(), values[0], {});
+         panels.editor.run(panels.lua.command);
        }},
       {"Background picture",
        "A picture (PNG) behind the outline; the project keeps a copy",
@@ -137,7 +157,8 @@ const std::vector<Dialog>& dialog_list() {
        {".png"},
        {},
        nothing,
-       [](Editor& editor, const Values& values) {
+       [](Panels& panels, const Values& values) {
+         Editor& editor = panels.editor;
          editor.run(image_command(editor.project(), values[0]));
        }},
   };
@@ -187,7 +208,7 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(px(520));
-  const bool is_entered = ImGui::InputText(
+  bool is_entered = ImGui::InputText(
       "##path", &panels.dialog_values[0],
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (!dialog.endings.empty()) {
@@ -195,11 +216,12 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
   }
   for (size_t i = 0; i < dialog.labels.size(); ++i) {
     ImGui::SetNextItemWidth(px(260));
-    ImGui::InputText(dialog.labels[i], &panels.dialog_values[i + 1]);
+    is_entered |=
+        ImGui::InputText(dialog.labels[i], &panels.dialog_values[i + 1],
+                         ImGuiInputTextFlags_EnterReturnsTrue);
   }
   if (ImGui::Button(dialog.button, {px(110), 0}) || is_entered) {
-    attempt(panels.editor,
-            [&] { dialog.run(panels.editor, panels.dialog_values); });
+    attempt(panels.editor, [&] { dialog.run(panels, panels.dialog_values); });
     panels.dialog.clear();
     ImGui::CloseCurrentPopup();
   }

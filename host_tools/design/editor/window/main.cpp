@@ -69,6 +69,10 @@ void handle_window_key(Panels& panels, const std::string& key) {
     open_dialog(panels, "Open");
   } else if (key == "ctrl+shift+s" && is_open) {
     open_dialog(panels, "Save as");
+  } else if (key == "ctrl+shift+n" && is_open) {
+    open_dialog(panels, "Add glyphs");
+  } else if (key == "ctrl+shift+c" && is_open) {
+    open_dialog(panels, "Add component");
   } else if (key == "ctrl+e" && is_open) {
     open_dialog(panels, "Export");
   } else if (panels.dialog.empty() && !panels.editor.pending) {

@@ -55,6 +55,7 @@ void draw_menu(Panels& panels) {
     dialog_item(panels, "Save as", "Ctrl+Shift+S", is_open);
     item(panels, "Revert");
     dialog_item(panels, "Export", "Ctrl+E", is_open);
+    dialog_item(panels, kScript, "", is_open);
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) {
       quit(panels);
@@ -78,12 +79,12 @@ void draw_menu(Panels& panels) {
       item(panels, name);
     }
     ImGui::Separator();
-    dialog_item(panels, "Add glyphs", "", is_open);
+    dialog_item(panels, "Add glyphs", "Ctrl+Shift+N", is_open);
     dialog_item(panels, "Name and characters", "",
                 panels.editor.glyph() != nullptr);
     item(panels, "Delete glyph");
     ImGui::Separator();
-    dialog_item(panels, "Add component", "", is_open);
+    dialog_item(panels, "Add component", "Ctrl+Shift+C", is_open);
     dialog_item(panels, "Background picture", "", is_open);
     item(panels, "Remove picture");
     ImGui::EndMenu();

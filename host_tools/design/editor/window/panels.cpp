@@ -55,6 +55,7 @@ void draw_window(Panels& panels) {
   panel(
       "Status", {0, bottom}, {all.x, px(kStatusHeight)},
       [&] { draw_status(panels); }, ImGuiWindowFlags_NoScrollbar);
+  draw_lua(panels);
   draw_dialogs(panels);
 }
 

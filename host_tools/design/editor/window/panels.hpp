@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/editor.hpp"
+#include "editor/lua_run.hpp"
 #include "editor/preview.hpp"
 #include "shape/shape.hpp"
 #include "window/textures.hpp"
@@ -42,8 +43,9 @@ struct Panels {
 
   Editor& editor;
   Textures& textures;
-  bool dark_theme = false;                 // as it was set last
-  std::string search;                      // in the grid of glyphs
+  bool dark_theme = false;  // as it was set last
+  LuaRun lua;               // the program whose sliders are shown
+  std::string search;       // in the grid of glyphs
   std::shared_ptr<const Preview> preview;  // what is shown, may be null
   bool preview_is_busy = false;
   bool wants_quit = false;
@@ -84,8 +86,12 @@ void draw_preview_panel(Panels& panels);
 void draw_inspector(Panels& panels);
 /// The operators and parts of a glyph made of others.
 void draw_tree(Editor& editor);
+void draw_lua(Panels& panels);
 void draw_status(Panels& panels);
 void draw_dialogs(Panels& panels);
+
+/// The dialog for a program in Lua.
+inline constexpr const char* kScript = "Run script";
 
 /// Scale, slant and turn by sliders.
 inline constexpr const char* kTransform = "Scale, slant and turn";
