@@ -1,6 +1,7 @@
 // Opens ROM fonts with the device's reader, and explains errors.
 #include "rom_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -136,6 +137,28 @@ std::vector<Mapping> mappings(const Font& font) {
           {static_cast<char32_t>(first + i), static_cast<uint16_t>(glyph + i)});
     }
   }
+  namespace pages = format::code_pages;
+  const Span<const uint8_t> paged = font.section(format::section::kCodePages);
+  const uint32_t count =
+      paged.size < pages::kBytes ? 0 : read_u16(paged.data + pages::kPages);
+  if (pages::kBytes + 2 * (count + 1) > paged.size) {
+    return result;
+  }
+  const uint32_t first = read_u16(paged.data + pages::kFirstPage);
+  const uint32_t base = read_u16(paged.data + pages::kGlyphBase);
+  for (uint32_t page = 0; page < count; ++page) {
+    const uint8_t* starts = paged.data + pages::kBytes + 2 * page;
+    const uint32_t end = std::min<uint32_t>(read_u16(starts + 2),
+                                            static_cast<uint32_t>(paged.size));
+    for (uint32_t at = read_u16(starts); at < end; ++at) {
+      result.push_back({static_cast<char32_t>((first + page) << 8 | paged[at]),
+                        static_cast<uint16_t>(base + at)});
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Mapping& a, const Mapping& b) {
+              return a.code_point < b.code_point;
+            });
   return result;
 }
 

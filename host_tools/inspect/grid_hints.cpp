@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bit_reader.hpp"
 #include "bytes.hpp"
 #include "inkcell/format/rom.hpp"
 
@@ -12,95 +11,115 @@ namespace {
 
 namespace grid = format::grid;
 
-int read_position(BitReader& bits) {
-  return grid::kPositionBase +
-         grid::kPositionStep * static_cast<int>(bits.read(grid::kPositionBits));
-}
+// Reads the last bits of a record, from its last byte on.
+class HintReader {
+ public:
+  HintReader(Span<const uint8_t> record,
+             Span<const uint8_t> section,
+             const GridHints& font)
+      : record_(record), section_(section), font_(font) {}
 
-int read_width(BitReader& bits, int standard_u) {
-  return bits.read(1) != 0 ? standard_u
-                           : grid::kPositionStep *
-                                 static_cast<int>(bits.read(grid::kWidthBits));
-}
-
-// The height of an edge in a zone.
-int read_zone(BitReader& bits, const GridHints& font, HeightHint& hint) {
-  const uint32_t zone = bits.read(grid::kZoneBits);
-  const bool is_round = bits.read(1) != 0;
-  if (zone >= font.zones.size()) {
-    return 0;
+  GlyphHints read() {
+    GlyphHints glyph;
+    const uint32_t head = number(grid::kHeads);
+    glyph.is_symmetric = (head & grid::kSymmetric) != 0;
+    if ((head & grid::kHasInsets) != 0) {
+      const auto inset = [this] {
+        return grid::kPositionStep * static_cast<int>(bits(grid::kInsetBits));
+      };
+      glyph.left_inset_u = inset();
+      glyph.right_inset_u = inset();
+    }
+    uint32_t at = uint32_t{section_[grid::kFirstY]} << grid::kFirstShift;
+    uint32_t count = head >> grid::kHeightCountShift & grid::kHeightCountMask;
+    for (; count != 0; --count) {
+      glyph.heights.push_back(height(at));
+      at = position_of(glyph.heights.back().low_u);
+    }
+    at = uint32_t{section_[grid::kFirstX]} << grid::kFirstShift;
+    for (count = head & grid::kStemCountMask; count != 0; --count) {
+      StemHint stem;
+      stem.left_u = position(grid::kGapsX, at);
+      stem.right_u = stem.left_u + width(grid::kWidthsX, font_.stem_width_u);
+      at = position_of(stem.right_u);
+      glyph.stems.push_back(stem);
+    }
+    return glyph;
   }
-  hint.zone = static_cast<int>(zone);
-  return font.zones[zone].flat_u +
-         (is_round ? font.zones[zone].overshoot_u : 0);
-}
 
-HeightHint read_height(BitReader& bits, const GridHints& font) {
-  HeightHint hint;
-  hint.kind = static_cast<HeightHint::Kind>(bits.read(grid::kHeightKindBits));
-  if (hint.kind == HeightHint::Kind::free_end) {
-    hint.rises = bits.read(1) != 0;
-    hint.low_u = read_position(bits);
-    hint.high_u = hint.low_u;
+ private:
+  static uint32_t position_of(int at_u) {
+    return static_cast<uint32_t>(at_u - grid::kPositionBase) >> 1;
+  }
+
+  // Numbers begin with their lowest bit.
+  uint32_t peek(int count) const {
+    uint32_t value = 0;
+    for (int i = 0; i < count; ++i) {
+      const size_t at = bit_ + static_cast<size_t>(i);
+      if (at / 8 < record_.size) {
+        value |= (record_[record_.size - 1 - at / 8] >> at % 8 & 1u) << i;
+      }
+    }
+    return value;
+  }
+  uint32_t bits(int count) {
+    const uint32_t value = peek(count);
+    bit_ += static_cast<size_t>(count);
+    return value;
+  }
+  uint32_t number(uint32_t table) {
+    const int code_bits = section_[grid::kCodeBits];
+    const size_t at = grid::kBytes + font_.zones.size() * grid::kZoneBytes +
+                      2 * ((size_t{table} << code_bits) + peek(code_bits));
+    const uint32_t entry =
+        at + 2 <= section_.size ? read_u16(section_.data + at) : 0u;
+    bit_ += entry & grid::kLengthMask;
+    return (entry >> grid::kBaseShift) +
+           bits(
+               static_cast<int>(entry >> grid::kExtraShift & grid::kExtraMask));
+  }
+  int position(uint32_t table, uint32_t at) {
+    return grid::kPositionBase +
+           grid::kPositionStep *
+               static_cast<int>((at + number(table)) & grid::kPositionMask);
+  }
+  int width(uint32_t table, int standard_u) {
+    const uint32_t stored = number(table) & grid::kWidthMask;
+    return stored == 0 ? standard_u
+                       : grid::kPositionStep * static_cast<int>(stored);
+  }
+
+  HeightHint height(uint32_t at) {
+    HeightHint hint;
+    const uint32_t word = number(grid::kHeights);
+    hint.kind = static_cast<HeightHint::Kind>(word >> grid::kKindShift &
+                                              grid::kKindMask);
+    const bool is_top = (word & grid::kTop) != 0;
+    const uint32_t zone = word >> grid::kZoneShift & grid::kZoneMask;
+    int edge_u = 0;
+    if (zone == 0) {
+      edge_u = position(grid::kGapsY, at);
+    } else if (zone <= font_.zones.size()) {
+      hint.zone = static_cast<int>(zone - 1);
+      edge_u =
+          font_.zones[zone - 1].flat_u +
+          ((word & grid::kRound) != 0 ? font_.zones[zone - 1].overshoot_u : 0);
+    }
+    const bool is_stroke = hint.kind == HeightHint::Kind::bar ||
+                           hint.kind == HeightHint::Kind::serif;
+    const int thick = is_stroke ? width(grid::kWidthsY, font_.bar_width_u) : 0;
+    hint.low_u = is_top ? edge_u - thick : edge_u;
+    hint.high_u = hint.low_u + thick;
+    hint.rises = hint.kind == HeightHint::Kind::free_end && is_top;
     return hint;
   }
-  if (hint.kind == HeightHint::Kind::edge) {
-    hint.low_u = read_zone(bits, font, hint);
-    hint.high_u = hint.low_u;
-    return hint;
-  }
-  const bool is_top = bits.read(1) != 0;
-  const int edge =
-      bits.read(1) != 0 ? read_zone(bits, font, hint) : read_position(bits);
-  const int width = read_width(bits, font.bar_width_u);
-  hint.low_u = is_top ? edge - width : edge;
-  hint.high_u = hint.low_u + width;
-  return hint;
-}
 
-AcrossHint read_across(BitReader& bits, const GridHints& font) {
-  AcrossHint hint;
-  hint.is_foot = bits.read(1) == grid::kFoot;
-  hint.left_u = read_position(bits);
-  hint.right_u =
-      hint.left_u + (hint.is_foot ? 0 : read_width(bits, font.stem_width_u));
-  return hint;
-}
-
-GlyphHints read_glyph(Span<const uint8_t> record, const GridHints& font) {
-  BitReader bits(record, 0);
-  GlyphHints glyph;
-  glyph.is_symmetric = bits.read(1) != 0;
-  const bool has_insets = bits.read(1) != 0;
-  const uint32_t heights = bits.read(grid::kHeightCountBits);
-  const uint32_t across = bits.read(grid::kAcrossCountBits);
-  if (has_insets) {
-    const auto read_inset = [&bits] {
-      return grid::kPositionStep *
-             static_cast<int>(bits.read(grid::kInsetBits));
-    };
-    glyph.left_inset_u = read_inset();
-    glyph.right_inset_u = read_inset();
-  }
-  for (uint32_t i = 0; i < heights; ++i) {
-    glyph.heights.push_back(read_height(bits, font));
-  }
-  for (uint32_t i = 0; i < across; ++i) {
-    glyph.across.push_back(read_across(bits, font));
-  }
-  return glyph;
-}
-
-// Number `index` of a bit table of the container, the lowest bits first.
-uint32_t table_number(Span<const uint8_t> table, size_t index, uint32_t width) {
-  uint32_t value = 0;
-  for (uint32_t bit = 0; bit < width; ++bit) {
-    const size_t at = index * width + bit;
-    const uint32_t byte = at / 8 < table.size ? table.data[at / 8] : 0;
-    value |= (byte >> at % 8 & 1) << bit;
-  }
-  return value;
-}
+  Span<const uint8_t> record_;
+  Span<const uint8_t> section_;
+  const GridHints& font_;
+  size_t bit_ = 0;
+};
 
 void read_zones(Span<const uint8_t> section, GridHints& hints) {
   const size_t count = std::min<size_t>(
@@ -131,20 +150,12 @@ GridHints grid_hints(const Font& font) {
   if (section[grid::kXZone] < hints.zones.size()) {
     hints.x_zone = section[grid::kXZone];
   }
-  const size_t table_at = grid::kBytes + hints.zones.size() * grid::kZoneBytes;
-  const Span<const uint8_t> table = {section.data + table_at,
-                                     section.size - table_at};
-  const uint32_t width =
-      std::min<uint32_t>(section[grid::kOffsetBits], grid::kMaxOffsetBits);
-  const size_t glyphs = font.glyph_count();
-  const size_t records_at = ((glyphs + 1) * width + 7) / 8;
-  for (size_t i = 0; i < glyphs; ++i) {
-    const size_t begin = records_at + table_number(table, i, width);
-    const size_t end = records_at + table_number(table, i + 1, width);
-    const bool is_inside = begin <= end && end <= table.size;
-    const Span<const uint8_t> record = {table.data + (is_inside ? begin : 0),
-                                        is_inside ? end - begin : 0};
-    hints.glyphs.push_back(read_glyph(record, hints));
+  for (uint32_t i = 0; i < font.glyph_count(); ++i) {
+    const Span<const uint8_t> record = font.record(static_cast<uint16_t>(i));
+    hints.glyphs.push_back(record.size == 0 ||
+                                   section[grid::kCodeBits] > grid::kMaxCodeBits
+                               ? GlyphHints()
+                               : HintReader(record, section, hints).read());
   }
   return hints;
 }

@@ -27,10 +27,9 @@ struct HeightHint {
   bool rises = false;  // of a free end
 };
 
-/// A hint about what lies across: a stem, or the foot of a diagonal.
-struct AcrossHint {
-  bool is_foot = false;
-  int left_u = 0;  // the middle of a foot
+/// A vertical stem.
+struct StemHint {
+  int left_u = 0;
   int right_u = 0;
 };
 
@@ -39,10 +38,10 @@ struct GlyphHints {
   int left_inset_u = 0;  // from the box to the ink without serifs
   int right_inset_u = 0;
   std::vector<HeightHint> heights;
-  std::vector<AcrossHint> across;
+  std::vector<StemHint> stems;
 };
 
-/// Section GRID.
+/// Section GRID, and the hints of glyphs.
 struct GridHints {
   bool is_there = false;
   bool has_contrast = false;

@@ -206,7 +206,7 @@ void draw_hints(const View& view,
     draw_height(view, hint.low_u, colour_of(hint.kind), 0, image);
     draw_height(view, hint.high_u, colour_of(hint.kind), 0, image);
   }
-  for (const AcrossHint& hint : glyph.across) {
+  for (const StemHint& hint : glyph.stems) {
     draw_abscissa(view, hint.left_u, image);
     draw_abscissa(view, hint.right_u, image);
   }

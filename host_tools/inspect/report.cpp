@@ -260,7 +260,7 @@ void append_height(std::string& out, const HeightHint& hint) {
 
 void append_hints_of(std::string& out, const GlyphHints& glyph) {
   append(out, "  hints           %zu heights, %zu stems%s\n",
-         glyph.heights.size(), glyph.across.size(),
+         glyph.heights.size(), glyph.stems.size(),
          glyph.is_symmetric ? ", symmetric" : "");
   if (glyph.left_inset_u != 0 || glyph.right_inset_u != 0) {
     append(out, "    serifs reach    %5d u to the left, %d u to the right\n",
@@ -269,13 +269,9 @@ void append_hints_of(std::string& out, const GlyphHints& glyph) {
   for (const HeightHint& hint : glyph.heights) {
     append_height(out, hint);
   }
-  for (const AcrossHint& hint : glyph.across) {
-    if (hint.is_foot) {
-      append(out, "    foot            %5d u\n", hint.left_u);
-    } else {
-      append(out, "    stem            %5d u to %d u\n", hint.left_u,
-             hint.right_u);
-    }
+  for (const StemHint& hint : glyph.stems) {
+    append(out, "    stem            %5d u to %d u\n", hint.left_u,
+           hint.right_u);
   }
 }
 
@@ -306,16 +302,14 @@ nlohmann::json hints_json(const GlyphHints& glyph) {
     }
     heights.push_back(std::move(json));
   }
-  nlohmann::json across = nlohmann::json::array();
-  for (const AcrossHint& hint : glyph.across) {
-    across.push_back({{"kind", hint.is_foot ? "foot" : "stem"},
-                      {"left_u", hint.left_u},
-                      {"right_u", hint.right_u}});
+  nlohmann::json stems = nlohmann::json::array();
+  for (const StemHint& hint : glyph.stems) {
+    stems.push_back({{"left_u", hint.left_u}, {"right_u", hint.right_u}});
   }
   return {{"symmetric", glyph.is_symmetric},
           {"insets_u", {glyph.left_inset_u, glyph.right_inset_u}},
           {"heights", heights},
-          {"across", across}};
+          {"stems", stems}};
 }
 
 nlohmann::json parts_json(const std::vector<RecordPart>& parts) {

@@ -74,7 +74,7 @@ export function startInside(core) {
       for (const y of [low, high]) drawLine(0, top(y), canvas.width, top(y));
     }
     context.strokeStyle = '#ff6ad5';
-    for (const [, low, high] of outline.stems) {
+    for (const [low, high] of outline.stems) {
       for (const x of [low, high]) drawLine(left(x), 0, left(x), canvas.height);
     }
   }
@@ -214,7 +214,7 @@ export function startInside(core) {
       const count = outline.points.filter(({kind}) => kind !== 3).length;
       const bars = outline.heights.map(([kind]) => BAR_KINDS[kind]);
       $('outline-size').textContent = `${count} points; hints: ` +
-        ([...bars, ...outline.stems.map(([foot]) => foot ? 'foot' : 'stem')].join(', ') ||
+        ([...bars, ...outline.stems.map(() => 'stem')].join(', ') ||
           'none') + '.';
       field = core.field(char, POINTS);
       $('field-size').textContent = `${field.cells} cells, ` +

@@ -225,6 +225,6 @@ export class Core {
       return Array.from({length: count}, () => [...numbers.subarray(at, at += width)]);
     };
     return {points: list(3).map(([x, y, kind]) => ({x: x / 256, y: y / 256, kind})),
-      zones: list(2), heights: list(3), stems: list(3)};
+      zones: list(2), heights: list(3), stems: list(2)};
   }
 }

@@ -50,14 +50,16 @@ bool put_points(const Font& font, uint16_t glyph, Numbers& out) {
   return true;
 }
 
-void put_hints(const GridHints& font, uint16_t glyph, Numbers& out) {
+void put_hints(const GridHints& font,
+               const Span<const uint8_t>& record,
+               Numbers& out) {
   out.put(static_cast<int32_t>(font.zone_count()));
   for (uint32_t i = 0; i < font.zone_count(); ++i) {
     const GridZone zone = font.zone(i);
     out.put(zone.flat_u);
     out.put(zone.overshoot_u);
   }
-  GlyphHints hints(font, glyph);
+  GlyphHints hints(font, record);
   out.put(static_cast<int32_t>(hints.y_count()));
   for (uint32_t i = 0; i < hints.y_count(); ++i) {
     const YHint hint = hints.next_y();
@@ -68,7 +70,6 @@ void put_hints(const GridHints& font, uint16_t glyph, Numbers& out) {
   out.put(static_cast<int32_t>(hints.x_count()));
   for (uint32_t i = 0; i < hints.x_count(); ++i) {
     const XHint hint = hints.next_x();
-    out.put(hint.is_foot ? 1 : 0);
     out.put(hint.left_u);
     out.put(hint.right_u);
   }
@@ -96,6 +97,6 @@ inkcell_status_t web_points(const web_job_t* job, uint32_t code_point) {
   if (!put_points(font, glyph, out)) {
     return INKCELL_NO_GLYPH;
   }
-  put_hints(hints, glyph, out);
+  put_hints(hints, font.record(glyph), out);
   return out.room == 0 ? INKCELL_BUFFER_SMALL : INKCELL_OK;
 }

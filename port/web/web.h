@@ -108,8 +108,8 @@ int32_t web_distance(int32_t x_q16, int32_t y_q16);
 /// off the curve, 1 smooth, 2 a corner, 3 a corner that begins a contour); how
 /// many zones, and of each the height of flat edges and how far round ones pass
 /// it; how many hints of heights, and of each its kind (0 bar, 1 serif, 2 edge,
-/// 3 free end) and both heights; how many of stems, and of each whether it is
-/// the foot of a diagonal, and both sides. [u] NO_GLYPH: there is no outline.
+/// 3 free end) and both heights; how many of stems, and of each both sides.
+/// [u] NO_GLYPH: there is no outline.
 inkcell_status_t web_points(const web_job_t* job, uint32_t code_point);
 
 /// The sink that a job asks for, used by all that draw.

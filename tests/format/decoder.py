@@ -76,8 +76,8 @@ def read_directory(data, section_count):
                                               HEADER_BYTES + 12 * i)
         offset = place & ~1
         require(6, offset % 4 == 0 and offset + size <= len(data))
-        known = tag in (b"CMAP", b"METR", b"KERN", b"GRID", b"CODE",
-                         b"GLYF", b"NAME")
+        known = tag in (b"CMAP", b"CPAG", b"METR", b"KERN", b"GRID", b"CODE",
+                        b"GLYF", b"NAME")
         require(6, known or place % 2 == 0)
         sections.setdefault(tag, data[offset:offset + size])
     return sections
@@ -96,18 +96,42 @@ def read_cmap(data, glyph_count):
     return glyph_of
 
 
+def read_code_pages(data, glyph_count):
+    if not data:
+        return {}
+    require(10, len(data) >= 6)
+    first_page, count, glyph_base = struct.unpack_from("<3H", data)
+    header_bytes = 8 + 2 * count
+    require(10, count > 0 and first_page + count <= 0x1100)
+    require(10, header_bytes <= len(data))
+    starts = struct.unpack_from(f"<{count + 1}H", data, 6)
+    require(10, starts[0] == header_bytes and starts[-1] == len(data))
+    require(10, list(starts) == sorted(starts))
+    first_glyph = (glyph_base + header_bytes) % 65536
+    require(10, first_glyph + len(data) - header_bytes <= glyph_count)
+    glyph_of = {}
+    for page, (begin, end) in enumerate(zip(starts, starts[1:]), first_page):
+        low = list(data[begin:end])
+        require(10, low == sorted(set(low)))
+        for at in range(begin, end):
+            glyph_of[page << 8 | data[at]] = first_glyph + at - header_bytes
+    return glyph_of
+
+
 def read_metrics(data, glyph_count):
-    require(8, len(data) >= 15)
-    bases = struct.unpack_from("<5H", data)
-    widths = data[10:15]
-    require(8, (sum(widths) * glyph_count + 7) // 8 <= len(data) - 15)
-    require(11, max(widths) <= 16)
-    table = BitTable(data[15:])
+    require(8, len(data) >= 17)
+    *bases, advances = struct.unpack_from("<6H", data)
+    widths = data[12:17]
+    bits = widths[0] * advances + sum(widths[1:]) * glyph_count
+    require(8, (bits + 7) // 8 <= len(data) - 17)
+    require(11, max(widths) <= 16 and advances <= glyph_count)
+    table = BitTable(data[17:])
     rows = []
     at = 0
-    for _ in range(glyph_count):
+    for glyph in range(glyph_count):
         row = []
-        for base, width in zip(bases, widths):
+        for column, (base, width) in enumerate(zip(bases, widths)):
+            width = 0 if column == 0 and glyph >= advances else width
             row.append(base + table.get(at, width))
             at += width
         rows.append((row[0] & 0xffff, *map(signed, row[1:])))
@@ -186,9 +210,10 @@ class Font:
         header, sections = read_header(data)
         require(8, b"METR" in sections and b"GLYF" in sections)
         count = header.glyph_count
-        self.glyph_of = read_cmap(sections.get(b"CMAP", b""), count)
+        self.glyph_of = read_code_pages(sections.get(b"CPAG", b""), count)
+        self.glyph_of.update(read_cmap(sections.get(b"CMAP", b""), count))
         self.kerning = read_kerning(sections.get(b"KERN", b""), count)
-        self.hints = read_grid(sections.get(b"GRID", b""), count, BitTable)
+        self.hints = None
         self.name = sections.get(b"NAME", b"").decode(
             errors="surrogateescape")
         metrics = read_metrics(sections[b"METR"], count)
@@ -200,6 +225,10 @@ class Font:
                                    records, metrics)
             self.glyphs = [Glyph(row, [], outlines.contours(number))
                            for number, row in enumerate(metrics)]
+            self.hints = read_grid(
+                sections.get(b"GRID", b""),
+                [(record, outlines.bits(number))
+                 for number, record in enumerate(records)])
         else:
             self.glyphs = [Glyph(row, read_squares(record), [])
                            for row, record in zip(metrics, records)]

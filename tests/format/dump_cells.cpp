@@ -133,7 +133,7 @@ void print_hints(const Font& font) {
                 zone.is_top ? "top" : "bottom");
   }
   for (uint32_t i = 0; i < font.glyph_count(); ++i) {
-    GlyphHints glyph(hints, i);
+    GlyphHints glyph(hints, font.record(static_cast<uint16_t>(i)));
     std::printf("hints %u symmetric %d insets %d %d\n", i,
                 glyph.is_symmetric() ? 1 : 0, glyph.left_inset_u(),
                 glyph.right_inset_u());
@@ -142,11 +142,7 @@ void print_hints(const Font& font) {
     }
     for (uint32_t k = 0; k < glyph.x_count(); ++k) {
       const XHint hint = glyph.next_x();
-      if (hint.is_foot) {
-        std::printf("  foot at %d\n", hint.left_u);
-      } else {
-        std::printf("  stem %d to %d\n", hint.left_u, hint.right_u);
-      }
+      std::printf("  stem %d to %d\n", hint.left_u, hint.right_u);
     }
   }
 }

@@ -1,12 +1,11 @@
-"""Section GRID: zones of the face and hints of each glyph."""
+"""Section GRID, and the hints at the end of each glyph's record."""
 import struct
 from typing import NamedTuple, Optional
 
-from outlines import Bits
 from squares import require
 
 BAR, SERIF, LONE_EDGE, FREE_END = range(4)
-STEM, FOOT = range(2)
+HEADS, HEIGHTS, GAPS_Y, WIDTHS_Y, GAPS_X, WIDTHS_X = range(6)
 HEIGHT_NAMES = ("bar", "serif", "edge", "end")
 NO_ZONE = 255
 
@@ -48,14 +47,11 @@ class Height(NamedTuple):
         return text
 
 
-class Across(NamedTuple):
-    kind: int
+class Stem(NamedTuple):
     position: int  # [u]
     width: int
 
     def __str__(self):
-        if self.kind == FOOT:
-            return f"foot at {self.position}"
         return f"stem {self.position} to {self.position + self.width}"
 
 
@@ -63,7 +59,7 @@ class GlyphHints(NamedTuple):
     is_symmetric: bool
     insets: tuple  # left, right [u]
     heights: list
-    across: list
+    stems: list
 
 
 class GridHints(NamedTuple):
@@ -72,89 +68,123 @@ class GridHints(NamedTuple):
     stem_width: int
     bar_width: int
     x_zone: int
+    firsts: tuple  # y, x [2 u]
+    tables: list
     glyphs: list
+
+
+class BackwardBits:
+    """Bits of a record from its last byte to its first, the lowest first."""
+
+    def __init__(self, record):
+        self.bits = int.from_bytes(record, "big")
+        self.at = 0
+
+    def u(self, count):
+        value = self.bits >> self.at & ((1 << count) - 1)
+        self.at += count
+        return value
+
+    def number(self, table):
+        entry = table[self.bits >> self.at & (len(table) - 1)]
+        self.at += entry & 7
+        return (entry >> 7) + self.u(entry >> 3 & 15)
 
 
 class RecordReader:
     def __init__(self, record, hints):
-        self.bits = Bits(record)
+        self.bits = BackwardBits(record)
         self.hints = hints
 
-    def position(self):
-        return 2 * self.bits.u(10) - 512
+    def number(self, table):
+        return self.bits.number(self.hints.tables[table])
 
-    def zone_edge(self):
-        number = self.bits.u(3)
-        is_round = bool(self.bits.u(1))
-        require(14, number < len(self.hints.zones))
-        zone = self.hints.zones[number]
-        return Edge(number, is_round,
-                    zone.flat + (zone.overshoot if is_round else 0))
+    def width(self, table, standard):
+        return 2 * (self.number(table) & 127) or standard
 
-    def edge(self):
-        if self.bits.u(1):
-            return self.zone_edge()
-        return Edge(None, False, self.position())
-
-    def width(self, standard):
-        return standard if self.bits.u(1) else 2 * self.bits.u(7)
-
-    def height(self):
-        kind = self.bits.u(2)
-        if kind in (BAR, SERIF):
-            flag = self.bits.u(1)
-            edge = self.edge()
-            return Height(kind, flag, edge, self.width(self.hints.bar_width))
-        if kind == LONE_EDGE:
-            return Height(kind, 0, self.zone_edge(), 0)
-        flag = self.bits.u(1)
-        return Height(kind, flag, Edge(None, False, self.position()), 0)
-
-    def across(self):
-        kind = self.bits.u(1)
-        position = self.position()
-        if kind == FOOT:
-            return Across(kind, position, 0)
-        return Across(kind, position, self.width(self.hints.stem_width))
+    def height(self, y):
+        """The height, and where the next gap begins. [2 u]"""
+        word = self.number(HEIGHTS)
+        kind, flag = word >> 6 & 3, word >> 5 & 1
+        zone, is_round = (word >> 1 & 15) - 1, bool(word & 1)
+        if zone >= 0:
+            require(14, zone < len(self.hints.zones))
+            place = self.hints.zones[zone]
+            at = place.flat + (place.overshoot if is_round else 0)
+            edge = Edge(zone, is_round, at)
+        else:
+            at = 2 * ((y + self.number(GAPS_Y)) % 1024) - 512
+            edge = Edge(None, is_round, at)
+        width = (self.width(WIDTHS_Y, self.hints.bar_width)
+                 if kind in (BAR, SERIF) else 0)
+        height = Height(kind, flag, edge, width)
+        low = height.edges()[0] if kind in (BAR, SERIF) else at
+        return height, (low + 512) // 2
 
     def glyph(self):
-        is_symmetric = bool(self.bits.u(1))
-        has_insets = self.bits.u(1)
-        heights = self.bits.u(4)
-        across = self.bits.u(3)
+        head = self.number(HEADS)
         insets = (0, 0)
-        if has_insets:
+        if head & 0x80:
             insets = (2 * self.bits.u(6), 2 * self.bits.u(6))
-        return GlyphHints(is_symmetric, insets,
-                          [self.height() for _ in range(heights)],
-                          [self.across() for _ in range(across)])
+        heights = []
+        y, x = self.hints.firsts
+        for _ in range(head >> 3 & 15):
+            height, y = self.height(y)
+            heights.append(height)
+        stems = []
+        for _ in range(head & 7):
+            left = 2 * ((x + self.number(GAPS_X)) % 1024) - 512
+            stem = Stem(left, self.width(WIDTHS_X, self.hints.stem_width))
+            stems.append(stem)
+            x = (left + stem.width + 512) // 2
+        return GlyphHints(bool(head & 0x100), insets, heights, stems)
 
 
-def read_grid(data, glyph_count, bit_table):
-    """None if the font has no such section. `bit_table` reads numbers of the
-    container's tables."""
+def read_tables(data, code_bits):
+    require(14, code_bits <= 7 and len(data) >= 12 << code_bits)
+    size = 1 << code_bits
+    entries = struct.unpack_from(f"<{6 * size}H", data)
+    tables = [entries[i:i + size] for i in range(0, 6 * size, size)]
+    for table in tables:
+        for number, entry in enumerate(table):
+            require(14, entry & 7 <= code_bits)
+            require(14, table[number & ((1 << (entry & 7)) - 1)] == entry)
+    return tables
+
+
+def read_grid(data, records):
+    """None if the font has no such section. `records`: of each glyph, with the
+    bits before its hints; those of composites are not counted."""
     if not data:
         return None
     require(14, len(data) >= 8)
-    count, flags, stem, bar, x_zone, offset_bits, _ = struct.unpack_from(
-        "<6BH", data)
-    require(14, count <= 8 and offset_bits <= 20)
+    count, flags, stem, bar, x_zone, code_bits, first_y, first_x = data[:8]
+    require(14, count <= 8)
     require(14, x_zone == NO_ZONE or x_zone < count)
-    table_at = 8 + 4 * count
-    records_at = table_at + (offset_bits * (glyph_count + 1) + 7) // 8
-    require(14, records_at <= len(data))
+    tables_at = 8 + 4 * count
+    require(14, tables_at <= len(data))
     zones = [Zone(flat, overshoot, bool(zone_flags & 1))
              for flat, overshoot, zone_flags in struct.iter_unpack(
-                 "<hbB", data[8:table_at])]
-    table = bit_table(data[table_at:records_at])
-    ends = [table.get(i * offset_bits, offset_bits)
-            for i in range(glyph_count + 1)]
-    require(14, ends == sorted(ends))
-    require(14, records_at + ends[-1] <= len(data))
-    hints = GridHints(zones, flags, stem, bar, x_zone, [])
-    for begin, end in zip(ends, ends[1:]):
-        record = data[records_at + begin:records_at + end]
-        hints.glyphs.append(RecordReader(record, hints).glyph())
+                 "<hbB", data[8:tables_at])]
+    hints = GridHints(zones, flags, stem, bar, x_zone,
+                      (4 * first_y, 4 * first_x),
+                      read_tables(data[tables_at:], code_bits), [])
+    for record, bits in records:
+        if not record:
+            hints.glyphs.append(GlyphHints(False, (0, 0), [], []))
+            continue
+        reader = RecordReader(record, hints)
+        glyph = reader.glyph()
+        size = ((bits or 0) + reader.bits.at + 7) // 8
+        require(14, size == len(record) or (bits is None and
+                                            size < len(record)))
+        lows = [height.edges()[0] if height.kind in (BAR, SERIF)
+                else height.edge.position for height in glyph.heights]
+        require(14, lows == sorted(lows))
+        ends = [at for one in glyph.stems
+                for at in (one.position, one.position + one.width)]
+        require(14, all(a < b for a, b in zip(ends[1::2], ends[2::2])))
+        hints.glyphs.append(glyph)
     return hints
 
 
@@ -168,5 +198,5 @@ def grid_listing(hints):
     for number, glyph in enumerate(hints.glyphs):
         yield (f"hints {number} symmetric {int(glyph.is_symmetric)} insets "
                f"{glyph.insets[0]} {glyph.insets[1]}")
-        for hint in glyph.heights + glyph.across:
+        for hint in glyph.heights + glyph.stems:
             yield f"  {hint}"

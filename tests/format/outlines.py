@@ -96,7 +96,8 @@ def record_start(x_min, y_min, grid_shift):
 
 
 def read_outline(record, code, start, max_points):
-    """The contours of a record: lists of points in grid units."""
+    """The contours of a record: lists of points in grid units; and the bits that
+    they take."""
     require(16, is_outline(record))
     bits = Bits(record)
     bits.u(1)
@@ -112,7 +113,7 @@ def read_outline(record, code, start, max_points):
             contours.append(points)
             points = []
             if not bits.u(1):
-                return contours
+                return contours, bits.at
         else:
             x += bits.s(word.x_bits)
             y += bits.s(word.y_bits)
@@ -171,7 +172,13 @@ class OutlineFont(NamedTuple):
         unit = Fraction(2)**self.grid_shift
         return [[Point(x * unit, y * unit, kind) for x, y, kind in points]
                 for points in read_outline(self.records[number], self.code,
-                                           start, self.max_points)]
+                                           start, self.max_points)[0]]
+
+    def bits(self, number):
+        """Bits of a record before its hints; None: a composite, or nothing."""
+        record = self.records[number]
+        return read_outline(record, self.code, (0, 0), self.max_points)[1] \
+            if is_outline(record) else None
 
     def contours(self, number):
         """Contours of any glyph. [font units]"""

@@ -271,8 +271,14 @@ int main(int argc, char** argv) {
   written &= write_seed(folder + "kerning_wide_classes.seed", spec);
   GridRecord hints;
   hints.make_usual(2);
-  spec.hints = hints.write();
+  spec.hints = hints.write().section;
   written &= write_seed(folder + "hints.seed", spec);
+  GridRecord of_outlines;
+  of_outlines.make_usual(8);
+  std::vector<uint8_t> hinted(2 * outline_record::kSampleFontBytes);
+  hinted.resize(outline_record::build_sample_font(
+      {hinted.data(), hinted.size()}, of_outlines.write()));
+  written &= write_file(folder + "hinted_outlines.seed", hinted);
   written &= write_all_outline_seeds(std::string(argv[2]) + "/");
   const std::string moving = std::string(argv[3]) + "/";
   written &= write_kinetic_seed(moving + "far.seed", 1, false, sample_font());

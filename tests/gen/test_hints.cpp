@@ -185,7 +185,7 @@ TEST(Hints, BarsAndStemsOfLetters) {
       const std::string name =
           font + std::string(" ") + static_cast<char>(expected.letter);
       EXPECT_EQ(count(hints, Height::bar), expected.bars) << name;
-      EXPECT_EQ(hints.across.size(), expected.stems) << name;
+      EXPECT_EQ(hints.stems.size(), expected.stems) << name;
       EXPECT_EQ(count(hints, Height::serif), 0u) << name;
     }
   }
@@ -284,26 +284,83 @@ TEST(Hints, MapsHaveFewKnots) {
         make_glyph_hints(glyph, face, {glyph.box.x0, glyph.box.x1});
     const size_t bars = count(hints, Height::bar) + count(hints, Height::serif);
     EXPECT_LE(hints.heights.size() + bars, format::grid::kMaxKnots);
-    EXPECT_LE(2 * hints.across.size() + 2, format::grid::kMaxKnots);
+    EXPECT_LE(2 * hints.stems.size() + 2, format::grid::kMaxKnots);
     EXPECT_GT(bars, 0u);
   }
 }
 
-TEST(Hints, RecordsHoldWhatFormatMdSays) {
+std::string text_of(const HintBits& bits) {
+  std::string text;
+  for (const bool bit : bits) {
+    text += bit ? '1' : '0';
+  }
+  return text;
+}
+
+// One glyph: all of its words take no bits.
+TEST(Hints, OfOneGlyphAreInTheTables) {
+  FontHints font;
+  font.face.zones = {{0, 0, false}, {500, 20, true}};
+  font.face.bar_width_u = 80;
   GlyphHints hints;
-  EXPECT_TRUE(hint_record(hints).empty());
   hints.is_symmetric = true;
   HeightHint bar;
   bar.edge.zone = ZoneEdge{1, true};
   bar.is_top_edge = true;
   hints.heights.push_back(bar);
-  AcrossHint stem;
+  StemHint stem;
   stem.position_u = 100;
   stem.width_u = 90;
-  hints.across.push_back(stem);
-  // 1 0 0001 001 | 00 1 1 001 1 1 | 0 0100110010 0 0101101
-  EXPECT_EQ(hint_record(hints),
-            (std::vector<uint8_t>{0x84, 0x99, 0xc9, 0x91, 0x68}));
+  hints.stems.push_back(stem);
+  font.glyphs = {hints};
+  const HintCode code(font, format::grid::kMaxCodeBits);
+  EXPECT_TRUE(code.bits(hints).empty());
+  const std::vector<uint8_t> section = code.section();
+  ASSERT_EQ(section.size(), 8u + 2 * 4 + 6 * 2);
+  EXPECT_EQ(section[5], 0);
+  // x from (100 + 512) / 2 on, in steps of 4: 76 * 4, and 2 more.
+  EXPECT_EQ(section[7], 76);
+  const auto entry = [&section](size_t table) {
+    return section[16 + 2 * table] | section[17 + 2 * table] << 8;
+  };
+  EXPECT_EQ(entry(format::grid::kHeads), (0x100 | 1 << 3 | 1) << 7);
+  EXPECT_EQ(entry(format::grid::kHeights), (0x20 | 2 << 1 | 1) << 7);
+  EXPECT_EQ(entry(format::grid::kWidthsY), 0);
+  EXPECT_EQ(entry(format::grid::kGapsX), 2 << 7);
+  EXPECT_EQ(entry(format::grid::kWidthsX), 45 << 7);
+}
+
+TEST(Hints, WordsAreAPrefixCodeFromTheLowestBitOn) {
+  const NumberCode code({{3, 8}, {20, 2}, {21, 2}, {1000, 1}}, 3);
+  HintBits often;
+  code.put(3, often);
+  EXPECT_EQ(text_of(often), "0");
+  HintBits seldom;
+  code.put(1000, seldom);
+  HintBits lower;
+  code.put(20, lower);
+  HintBits more;
+  code.put(21, more);
+  EXPECT_EQ(code.total_bits(), 8 * often.size() + 2 * lower.size() +
+                                   2 * more.size() + seldom.size());
+  const std::vector<uint16_t> table = code.table();
+  ASSERT_EQ(table.size(), 8u);
+  // What a reader makes of the bits.
+  const auto read = [&table](const HintBits& bits) {
+    const auto value = [&bits](size_t from, size_t count) {
+      uint32_t number = 0;
+      for (size_t i = 0; i < count && from + i < bits.size(); ++i) {
+        number |= (bits[from + i] ? 1u : 0u) << i;
+      }
+      return number;
+    };
+    const uint32_t entry = table[value(0, 3)];
+    return (entry >> 7) + value(entry & 7, entry >> 3 & 15);
+  };
+  EXPECT_EQ(read(often), 3u);
+  EXPECT_EQ(read(lower), 20u);
+  EXPECT_EQ(read(more), 21u);
+  EXPECT_EQ(read(seldom), 1000u);
 }
 
 TEST(Hints, OfAFontTakeAFewBytesAGlyph) {
@@ -312,19 +369,21 @@ TEST(Hints, OfAFontTakeAFewBytesAGlyph) {
     double most;  // bytes a glyph
   };
   for (const Expected& expected :
-       {Expected{kDejaVuSans, 9}, Expected{kLiberationSerif, 9.4},
-        Expected{kRoboto, 9}}) {
+       {Expected{kDejaVuSans, 7}, Expected{kLiberationSerif, 7.6},
+        Expected{kRoboto, 7}}) {
     const Letters letters(expected.file, printable());
     FontHints hints;
     hints.face = letters.face;
     for (const uint32_t c : ascii()) {
       hints.glyphs.push_back(letters.hints(c));
     }
-    const size_t of_face = format::grid::kBytes +
-                           format::grid::kZoneBytes * hints.face.zones.size();
-    const double bytes =
-        static_cast<double>(grid_section(hints).size() - of_face) /
-        static_cast<double>(hints.glyphs.size());
+    const HintCode code(hints, format::grid::kMaxCodeBits);
+    size_t bits = 8 * code.section().size();
+    for (const GlyphHints& glyph : hints.glyphs) {
+      bits += code.bits(glyph).size();
+    }
+    const double bytes = static_cast<double>(bits) / 8 /
+                         static_cast<double>(hints.glyphs.size());
     EXPECT_LE(bytes, expected.most) << expected.file;
   }
 }

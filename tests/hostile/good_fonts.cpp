@@ -51,17 +51,20 @@ Bytes build_font(bool wide) {
   spec.name = "Hostile";
   GridRecord hints;
   hints.make_usual(4);
-  spec.hints = hints.write();
+  spec.hints = hints.write().section;
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   require(!font.empty(), "the font fits its buffer");
   return font;
 }
 
-// Those of outline_record.hpp: outlines, a composite, and no hints.
+// Those of outline_record.hpp: outlines and a composite, with hints.
 Bytes build_outline_font() {
-  Bytes font(outline_record::kSampleFontBytes);
-  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
+  GridRecord hints;
+  hints.make_usual(8);
+  Bytes font(2 * outline_record::kSampleFontBytes);
+  font.resize(outline_record::build_sample_font({font.data(), font.size()},
+                                                hints.write()));
   require(!font.empty(), "the font fits its buffer");
   return font;
 }

@@ -896,7 +896,7 @@ class Tools(unittest.TestCase):
         self.assertEqual((foot["kind"], foot["low_u"]), ("edge", 0))
         self.assertEqual((bar["kind"], bar["high_u"]), ("bar", capitals))
         self.assertEqual(zones[bar["zone"]]["side"], "top")
-        stem, = hints["across"]
+        stem, = hints["stems"]
         middle = sum(seen["glyphs"][0]["box"][::2]) / 4
         self.assertLess(abs((stem["left_u"] + stem["right_u"]) / 2 - middle), 4)
         said = run("inspect", font, "--glyph", "T")

@@ -91,6 +91,7 @@ void write_metrics(const FontSpec& spec, Writer& out) {
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     out.u16(0);
   }
+  out.u16(static_cast<uint32_t>(spec.glyphs.size));  // all have an advance
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     out.u8(16);
   }
@@ -427,6 +428,12 @@ void Record::write(uint8_t* at) const {
   }
 }
 
+void write_code_pages(const FontSpec& spec, Writer& out) {
+  for (const uint8_t byte : spec.code_pages) {
+    out.u8(byte);
+  }
+}
+
 void write_hints(const FontSpec& spec, Writer& out) {
   for (const uint8_t byte : spec.hints) {
     out.u8(byte);
@@ -449,6 +456,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   namespace section = format::section;
   const Section all[] = {
       {section::kCmap, section::kMustUnderstand, write_cmap},
+      {section::kCodePages, section::kMustUnderstand, write_code_pages},
       {section::kMetrics, section::kMustUnderstand, write_metrics},
       {section::kGlyphs, section::kMustUnderstand, write_glyphs},
       {section::kCode, section::kMustUnderstand, write_code},
@@ -459,6 +467,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
       {spec.extra_section, spec.extra_flags, write_nothing},
   };
   const bool has[] = {true,
+                      spec.code_pages.size != 0,
                       true,
                       true,
                       spec.outlines.code.size != 0,

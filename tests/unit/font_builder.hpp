@@ -113,8 +113,9 @@ struct FontSpec {
   Span<const GlyphSpec> glyphs;
   KerningSpec kerning;
   OutlineSpec outlines;
-  Span<const uint8_t> hints;   // GRID as it is; empty: none
-  Span<const uint8_t> morphs;  // MORP, likewise
+  Span<const uint8_t> code_pages;  // CPAG as it is; empty: none
+  Span<const uint8_t> hints;       // GRID, likewise
+  Span<const uint8_t> morphs;      // MORP, likewise
   const char* name = "";
   uint32_t extra_section = 0;  // tag of an empty section; 0: none
   uint32_t extra_flags = 0;

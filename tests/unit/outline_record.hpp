@@ -48,6 +48,7 @@ class BitWriter {
     }
   }
   size_t bytes() const { return (at_ + 7) / 8; }
+  uint32_t bits() const { return at_; }
 
  private:
   Span<uint8_t> out_;
@@ -134,14 +135,12 @@ inline uint32_t count_of(Span<const OutlinePoint> points) {
   return count;
 }
 
-/// The record of an outline that begins at the lower left corner of its box;
-/// its bytes, also if there is no room.
-inline size_t write_outline(Span<const OutlinePoint> points,
-                            Span<uint8_t> out) {
+/// Writes the record of an outline that begins at the lower left corner of its
+/// box.
+inline void put_outline(Span<const OutlinePoint> points, BitWriter& bits) {
   if (points.size == 0) {
-    return 0;
+    return;
   }
-  BitWriter bits(out);
   const PointBox box = box_of(points);
   int32_t x = box.x_min;
   int32_t y = box.y_min;
@@ -160,6 +159,13 @@ inline size_t write_outline(Span<const OutlinePoint> points,
   bits.put(uint32_t{kEndWord.bits} >> (kCodeBits - kEndWord.length),
            kEndWord.length);
   bits.put(0, 1);
+}
+
+/// The record's bytes, also if there is no room.
+inline size_t write_outline(Span<const OutlinePoint> points,
+                            Span<uint8_t> out) {
+  BitWriter bits(out);
+  put_outline(points, bits);
   return bits.bytes();
 }
 
@@ -172,9 +178,7 @@ struct Component {
   int16_t matrix[4] = {};  // xx, xy, yx, yy
 };
 
-inline size_t write_composite(Span<const Component> components,
-                              Span<uint8_t> out) {
-  BitWriter bits(out);
+inline void put_composite(Span<const Component> components, BitWriter& bits) {
   bits.put(inkcell::format::composite::kType, 8);
   for (size_t i = 0; i < components.size; ++i) {
     const Component& part = components[i];
@@ -190,7 +194,37 @@ inline size_t write_composite(Span<const Component> components,
     }
     bits.put(i + 1 < components.size ? 1 : 0, 1);
   }
+}
+
+inline size_t write_composite(Span<const Component> components,
+                              Span<uint8_t> out) {
+  BitWriter bits(out);
+  put_composite(components, bits);
   return bits.bytes();
+}
+
+/// The hints of a glyph; the first bit is the lowest of the first byte.
+struct HintBits {
+  const uint8_t* bytes;
+  uint32_t count;
+};
+
+/// Section GRID, and the hints of glyphs from glyph 0 on.
+struct Hints {
+  Span<const uint8_t> section = {};
+  Span<const HintBits> glyphs = {};
+};
+
+/// Puts hints at the end of a record of `record_bits` bits, whose bytes are
+/// `out` and zeros. The bytes of both.
+inline size_t add_hints(const HintBits& hints,
+                        uint32_t record_bits,
+                        Span<uint8_t> out) {
+  const size_t size = (record_bits + hints.count + 7) / 8;
+  for (size_t i = 0; i < (hints.count + 7) / 8 && size <= out.size; ++i) {
+    out[size - 1 - i] |= hints.bytes[i];
+  }
+  return size;
 }
 
 /// A glyph to be made. Points, or components and the box around them.
@@ -223,7 +257,7 @@ inline size_t build_outline_font(Span<const OutlineSource> glyphs,
                                  int8_t grid_shift,
                                  uint32_t first,
                                  Span<uint8_t> out,
-                                 Span<const uint8_t> hints = {},
+                                 const Hints& hints = {},
                                  Span<const uint8_t> morphs = {}) {
   static uint8_t records[kMaxRecordBytes];
   static font_builder::GlyphSpec specs[kMaxGlyphs];
@@ -237,17 +271,21 @@ inline size_t build_outline_font(Span<const OutlineSource> glyphs,
     const OutlineSource& glyph = glyphs[i];
     font_builder::GlyphSpec& spec = specs[i];
     const Span<uint8_t> room = {records + used, kMaxRecordBytes - used};
-    size_t size = 0;
+    BitWriter bits(room);
     spec = {};
     spec.advance = glyph.advance;
     if (glyph.components.size != 0) {
-      size = write_composite(glyph.components, room);
+      put_composite(glyph.components, bits);
       for (uint32_t side = 0; side < 4; ++side) {
         spec.box[side] = glyph.box[side];
       }
     } else {
-      size = write_outline(glyph.points, room);
+      put_outline(glyph.points, bits);
       set_box(box_of(glyph.points), grid_shift, spec.box);
+    }
+    size_t size = bits.bytes();
+    if (size != 0 && i < hints.glyphs.size) {
+      size = add_hints(hints.glyphs[i], bits.bits(), room);
     }
     if (size > room.size) {
       return 0;
@@ -267,7 +305,7 @@ inline size_t build_outline_font(Span<const OutlineSource> glyphs,
   font_builder::FontSpec spec;
   spec.units_per_em = 1024;
   spec.cmap = {cmap, 1};
-  spec.hints = hints;
+  spec.hints = hints.section;
   spec.morphs = morphs;
   spec.glyphs = {specs, glyphs.size};
   spec.outlines = {
@@ -302,7 +340,7 @@ inline constexpr OutlinePoint kLeaf[] = {
 /// the leaf, turned), G without ink.
 inline constexpr size_t kSampleFontBytes = 1024;
 
-inline size_t build_sample_font(Span<uint8_t> out) {
+inline size_t build_sample_font(Span<uint8_t> out, const Hints& hints = {}) {
   static constexpr Component kParts[] = {
       {1, 0, 0}, {5, 1100, 300, true, {0, -8192, 8192, 0}}};
   static const OutlineSource kGlyphs[] = {
@@ -314,7 +352,7 @@ inline size_t build_sample_font(Span<uint8_t> out) {
       {768, {kLeaf, 4}},
       {1300, {}, {kParts, 2}, {84, 84, 1060, 684}},
       {300}};
-  return build_outline_font({kGlyphs, 8}, 0, 'A', out);
+  return build_outline_font({kGlyphs, 8}, 0, 'A', out, hints);
 }
 
 }  // namespace outline_record

@@ -22,7 +22,13 @@ constexpr uint32_t kSlots = 5;  // of a page, with glyph 0
 constexpr uint32_t kOnPage = kSlots - 1;
 constexpr uint32_t kFirst = 0x4e00;
 constexpr uint16_t kAdvance = 1000;
-constexpr uint32_t kZoneBytes = 4;
+
+// Section GRID: the baseline, and a top of 500. Then tables of one word: a head
+// takes 9 bits, a height 8, gaps 10, widths 7.
+constexpr uint8_t kGrid[] = {
+    2,       0, 0,          100,      1,       0, 0,      0, 0,      0,
+    0,       0, 500 & 0xff, 500 >> 8, 0,       1, 9 << 3, 0, 8 << 3, 0,
+    10 << 3, 0, 7 << 3,     0,        10 << 3, 0, 7 << 3, 0};
 
 constexpr uint32_t up(uint32_t dividend, uint32_t divisor) {
   return (dividend + divisor - 1) / divisor;
@@ -39,7 +45,20 @@ inline size_t write_glyph(uint32_t n, Span<uint8_t> out, int16_t (&box)[4]) {
                                  {start, 160, 100},   {corner, 160, hole},
                                  {corner, 400, hole}, {corner, 400, 100}};
   set_box(box_of({points, 8}), 0, box);
-  return write_outline({points, 8}, out);
+  // A bar from the baseline on, in the first zone: 8, 2, 50.
+  static constexpr uint8_t kHints[] = {8, 2 << 1, 50 << 1};
+  BitWriter bits(out);
+  put_outline({points, 8}, bits);
+  return add_hints({kHints, 24}, bits.bits(), out);
+}
+
+// That of .notdef, without hints.
+inline size_t write_notdef(Span<uint8_t> out) {
+  using namespace outline_record;
+  static constexpr uint8_t kHints[] = {0, 0};
+  BitWriter bits(out);
+  put_outline({kBar, 4}, bits);
+  return add_hints({kHints, 9}, bits.bits(), out);
 }
 
 // Bits of a table, the first in the lowest of a byte.
@@ -75,9 +94,6 @@ struct Disk {
   uint32_t kern_end() const { return kerns ? kSlots + kKerning : 0; }
   uint32_t first_page() const { return 1 + top_blocks() + low_blocks(); }
 
-  static constexpr uint32_t kOffsetBits = 8;
-  static uint32_t grid_bytes() { return up((kSlots + 1) * kOffsetBits, 8); }
-
   void put_entry(uint32_t page, uint8_t* at) const {
     const uint32_t code_point = kFirst + page * kOnPage;
     put_u16(at, kSlots + page * kOnPage);
@@ -90,30 +106,12 @@ struct Disk {
     const uint32_t first = page * kOnPage;
     const uint32_t left = characters - first;
     const uint32_t count = left < kOnPage ? left : kOnPage;
-    // GRID: a bar from the baseline on, in the first zone.
-    for (uint32_t slot = 1; slot <= kSlots; ++slot) {
-      const uint32_t records = (slot - 1 < count ? slot - 1 : count) * 4;
-      put_bits(out, slot * kOffsetBits, records, kOffsetBits);
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-      outline_record::BitWriter bits({out + grid_bytes() + 4 * i, 4});
-      bits.put(0, 2);
-      bits.put(1, 4);
-      bits.put(0, 3);
-      bits.put(0, 2);  // a bar, of its lower edge
-      bits.put(0, 1);
-      bits.put(1, 1);
-      bits.put(0, 4);
-      bits.put(0, 1);
-      bits.put(50, 7);
-    }
-    const uint32_t metrics = (grid_bytes() + 4 * count + 1) & ~1u;
-    uint8_t* const table = out + metrics;
+    uint8_t* const table = out;
     put_u16(table, kAdvance);
     for (uint32_t i = 1; i < 5; ++i) {
-      table[10 + i] = 16;
+      table[12 + i] = 16;
     }
-    const uint32_t records = metrics + 15 + 8 * (count + 1);
+    const uint32_t records = 17 + 8 * (count + 1);
     uint8_t* const glyphs = out + records;
     glyphs[0] = 9;  // bits of an offset
     uint32_t end = 2 + up((count + 2) * 9, 8);
@@ -125,7 +123,7 @@ struct Disk {
           write_glyph(first + i, {glyphs + end, 60}, box));
       put_bits(glyphs + 2, (i + 2) * 9, end, 9);
       for (uint32_t side = 0; side < 4; ++side) {
-        put_bits(table + 15, (i + 1) * 64 + side * 16,
+        put_bits(table + 17, (i + 1) * 64 + side * 16,
                  static_cast<uint16_t>(box[side]), 16);
       }
     }
@@ -136,7 +134,6 @@ struct Disk {
     put_u16(trailer, kSlots + first);
     trailer[2] = static_cast<uint8_t>(count + 1);
     trailer[3] = 1;
-    put_u16(trailer + 4, metrics);
     put_u16(trailer + 6, records);
     CHECK(records + end <= kBlock - 16);
   }
@@ -242,36 +239,29 @@ inline void Disk::write_resident(uint8_t* out) const {
       spec.box[i] = box[i];
     }
   }
-  specs[0].bytes = {record, write_outline({kBar, 4}, record)};
-  // Zones: the baseline, and a top of 500.
-  uint8_t grid[8 + 2 * kZoneBytes + kBlock] = {2, 0, 0, 100, 1, kOffsetBits};
-  put_u16(grid + 12, 500);
-  grid[15] = 1;
+  specs[0].bytes = {record, write_notdef(record)};
   font_builder::FontSpec spec;
   spec.units_per_em = 1024;
-  spec.hints = {grid, sizeof grid};
+  spec.hints = kGrid;
   spec.glyphs = {specs, kSlots};
   spec.outlines = {{code, sizeof code}, kCodeBits, 0, 20};
-  static uint8_t font[kBlock + 512];
+  static uint8_t font[512];
   const size_t size = font_builder::build_font(spec, font);
-  CHECK(size != 0 && size < sizeof font);
-  // GRID comes last in the resident font, so that its records are the page's.
+  CHECK(size != 0);
   const uint32_t roots = is_deep() ? top_blocks() : low_blocks();
   uint32_t offset = (paged::kBytes + roots * paged::entry::kBytes + 3) & ~3u;
   for (uint32_t i = 0; i < roots; ++i) {
     put_entry(i * kFanOut * (is_deep() ? kFanOut : 1),
               out + paged::kBytes + i * paged::entry::kBytes);
   }
-  const size_t resident = size - kBlock;
-  CHECK(offset + resident <= 512);
-  for (size_t i = 0; i < resident; ++i) {
+  CHECK(offset + size <= 512);
+  for (size_t i = 0; i < size; ++i) {
     out[offset + i] = font[i];
   }
   put_u32(out, paged::kMagic);
   out[paged::kFormatMinor] = kFormatMinor;
   out[paged::kFormatMajor] = kFormatMajor;
-  put_u16(out + paged::kResidentBytes,
-          static_cast<uint32_t>(offset + resident));
+  put_u16(out + paged::kResidentBytes, static_cast<uint32_t>(offset + size));
   put_u16(out + paged::kBlockBytes, kBlock);
   put_u16(out + paged::kFontOffset, offset);
   put_u16(out + paged::kGlyphEnd, kSlots + characters);
@@ -281,7 +271,7 @@ inline void Disk::write_resident(uint8_t* out) const {
   put_u16(out + paged::kKernEnd, kern_end());
   const uint32_t crc = font_builder::crc32(
       font_builder::crc32(0, {out, paged::kHeaderCrc}),
-      {out + paged::kContentCrc, offset + resident - paged::kContentCrc});
+      {out + paged::kContentCrc, offset + size - paged::kContentCrc});
   put_u32(out + paged::kHeaderCrc, crc);
 }
 

@@ -37,7 +37,7 @@ constexpr OutlinePoint kSerif[] = {{start, 40, 0},     {corner, 270, 0},
 
 enum Glyph : uint16_t { three = 1, two, wedge, serif, space };
 
-Font open(Span<const uint8_t> hints) {
+Font open(const Hints& hints) {
   const OutlineSource glyphs[] = {{600},
                                   {600, {kThree, 14}},
                                   {600, {kTwo, 8}},
@@ -421,7 +421,7 @@ TEST(fitted_glyphs_look_sharp) {
 // Maps ascend, advances are whole and not negative, and whatever is drawn stays
 // in the window, for any bytes at any size.
 TEST(any_hints_are_safe) {
-  static uint8_t bytes[120];
+  static uint8_t bytes[128];
   for (Rounds rounds(23, INKCELL_BOARD_FIRMWARE ? 30 : 1500); rounds.next();) {
     Random& random = rounds.random;
     for (uint8_t& byte : bytes) {
@@ -429,8 +429,12 @@ TEST(any_hints_are_safe) {
     }
     bytes[0] = static_cast<uint8_t>(random.below(9));
     bytes[4] = static_cast<uint8_t>(random.below(9));
-    bytes[5] = static_cast<uint8_t>(random.below(8));
-    const Font font = open({bytes, sizeof bytes});
+    bytes[5] = static_cast<uint8_t>(random.below(3));
+    HintBits glyphs[6];
+    for (HintBits& glyph : glyphs) {
+      glyph = {bytes + random.below(60), random.below(400)};
+    }
+    const Font font = open({{bytes, sizeof bytes}, {glyphs, 6}});
     const int32_t px_q6 = random.between(4 * 64, 42 * 64);
     Style style = style_of(px_q6);
     FitOptions options;

@@ -199,8 +199,8 @@ TEST(refuses_sections_outside_the_font) {
 
 TEST(refuses_small_tables) {
   const uint32_t tags[] = {section::kMetrics, section::kGlyphs};
-  const uint32_t smallest[] = {15 + 5 * 10, 2 + 6 * 2};
-  const uint32_t headers[] = {15, 2};
+  const uint32_t smallest[] = {17 + 5 * 10, 2 + 6 * 2};
+  const uint32_t headers[] = {17, 2};
   for (int i = 0; i < 2; ++i) {
     sample();
     put_u32(entry_of(tags[i]) + section::kSize, smallest[i] - 1);

@@ -124,7 +124,6 @@ Font mapped_font() {
   static font_builder::GlyphSpec specs[kMapped + 1];
   static uint8_t records[kMapped + 1][64];
   static uint8_t code[2 << kCodeBits];
-  static uint8_t grid[16 + kMapped + 2 + 4 * kMapped];
   write_code(code);
   for (uint32_t i = 0; i <= kMapped; ++i) {
     font_builder::GlyphSpec& spec = specs[i];
@@ -132,32 +131,18 @@ Font mapped_font() {
     spec.advance = i == 0 ? 600 : kAdvance;
     size_t size = 0;
     if (i == 0) {
-      size = write_outline({kBar, 4}, records[i]);
+      size = write_notdef(records[i]);
       set_box(box_of({kBar, 4}), 0, spec.box);
     } else {
       size = write_glyph(i - 1, records[i], spec.box);
     }
     spec.bytes = {records[i], size};
   }
-  Disk disk;
-  alignas(4) static uint8_t page[kBlock];
-  disk.write_block(disk.first_page(), page);
-  const uint8_t head[16] = {2, 0, 0, 100, 1,         8,        0, 0,
-                            0, 0, 0, 0,   500 & 255, 500 >> 8, 0, 1};
-  for (uint32_t i = 0; i < 16; ++i) {
-    grid[i] = head[i];
-  }
-  for (uint32_t i = 0; i < kMapped; ++i) {
-    grid[16 + i + 2] = static_cast<uint8_t>(4 * (i + 1));
-    for (uint32_t byte = 0; byte < 4; ++byte) {
-      grid[16 + kMapped + 2 + 4 * i + byte] = page[Disk::grid_bytes() + byte];
-    }
-  }
   const font_builder::CmapEntry cmap[] = {{kFirst, kMapped - 1, 1}};
   font_builder::FontSpec spec;
   spec.units_per_em = 1024;
   spec.cmap = {cmap, 1};
-  spec.hints = {grid, sizeof grid};
+  spec.hints = kGrid;
   spec.glyphs = {specs, kMapped + 1};
   spec.outlines = {{code, sizeof code}, kCodeBits, 0, 20};
   const size_t size = font_builder::build_font(spec, mapped_rom);

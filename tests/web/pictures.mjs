@@ -82,7 +82,7 @@ for (const {format, kind, look, morph, field, points} of pictures) {
         [x * 256, y * 256, what]), got.zones.length, ...got.zones.flat(),
       got.heights.length, ...got.heights.flat(), got.stems.length, ...got.stems.flat()],
       [...numbers.subarray(0, 4 + 3 * numbers[0] + 2 * got.zones.length +
-        3 * (got.heights.length + got.stems.length))], `points of ${points}`);
+        3 * got.heights.length + 2 * got.stems.length)], `points of ${points}`);
       assert.equal(got.points[0].kind, 3);
       assert.ok(got.zones.length > 2 && got.heights.length > 0 && got.stems.length > 0);
       assert.ok(got.points.length > 10 && got.points.every(({x, y}) =>

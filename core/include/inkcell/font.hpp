@@ -199,6 +199,8 @@ class Font {
   Status open_tables(uint32_t sections) noexcept;
   bool open_code(const Span<const uint8_t>& code) noexcept;
   bool fit_tables() noexcept;
+  uint32_t find_run(uint32_t code_point) const noexcept;
+  uint32_t find_on_page(uint32_t code_point) const noexcept;
   bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
   // A pointer to FontPages lies in place of a look-up of its own.
   const detail::FontPages& pages() const noexcept {

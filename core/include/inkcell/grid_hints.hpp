@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
@@ -35,11 +36,10 @@ struct YHint {
   bool is_standard;  // as wide as most bars
 };
 
-/// Something vertical.
+/// A vertical stem.
 struct XHint {
   int32_t left_u;
   int32_t right_u;
-  bool is_foot;      // the middle of a diagonal's end; else a stem
   bool is_standard;  // as wide as most stems
 };
 
@@ -52,7 +52,7 @@ class GridHints {
   /// corrupt: the tables do not fit the section; `out` is then untouched.
   static Status open(const Font& font, GridHints& out) noexcept;
 
-  bool empty() const noexcept { return section_.size == 0; }
+  bool empty() const noexcept { return section_ == nullptr; }
   uint32_t zone_count() const noexcept { return zone_count_; }
   /// `i` is below the count.
   GridZone zone(uint32_t i) const noexcept;
@@ -66,15 +66,11 @@ class GridHints {
   /// Whether glyphs have few bars, as old-style faces do: those gain less.
   bool has_few_bars() const noexcept;
 
-  /// The record of a glyph; empty if it has none or there is no such glyph.
-  /// False if it leaves the section.
-  bool record(uint32_t glyph, Span<const uint8_t>& out) const noexcept;
-
  private:
-  Span<const uint8_t> section_;
-  uint32_t records_ = 0;  // where they begin in the section
-  uint16_t glyph_count_ = 0;
-  uint8_t offset_bits_ = 0;
+  friend class GlyphHints;
+
+  const uint8_t* section_ = nullptr;
+  uint8_t code_bits_ = 0;
   uint8_t zone_count_ = 0;
   uint8_t x_zone_ = 0;
   uint8_t stem_width_u_ = 0;
@@ -89,15 +85,23 @@ class GlyphHints {
   static constexpr uint32_t kMostY = 15;
   static constexpr uint32_t kMostX = 7;
 
-  GlyphHints(const GridHints& hints, uint32_t glyph) noexcept;
+  /// `record`: Font::record().
+  GlyphHints(const GridHints& hints,
+             const Span<const uint8_t>& record) noexcept;
 
-  bool empty() const noexcept { return record_.size == 0; }
-  bool is_symmetric() const noexcept { return is_symmetric_; }
+  bool is_symmetric() const noexcept {
+    return (head_ & format::grid::kSymmetric) != 0;
+  }
   /// How much narrower the ink is on either side without serifs. [u]
   int32_t left_inset_u() const noexcept { return left_inset_u_; }
   int32_t right_inset_u() const noexcept { return right_inset_u_; }
-  uint32_t y_count() const noexcept { return y_count_; }
-  uint32_t x_count() const noexcept { return x_count_; }
+  uint32_t y_count() const noexcept {
+    return head_ >> format::grid::kHeightCountShift &
+           format::grid::kHeightCountMask;
+  }
+  uint32_t x_count() const noexcept {
+    return head_ & format::grid::kStemCountMask;
+  }
 
   /// At most as often as the counts say.
   YHint next_y() noexcept;
@@ -108,15 +112,18 @@ class GlyphHints {
 
  private:
   uint32_t window() const noexcept;
+  uint32_t take(uint32_t table) noexcept;
+  int32_t take_width(uint32_t table, bool& is_standard) noexcept;
 
   const GridHints& hints_;
-  Span<const uint8_t> record_;
-  uint32_t bit_ = 0;  // the next one
-  uint8_t y_count_ = 0;
-  uint8_t x_count_ = 0;
+  const uint8_t* end_;  // of the record
+  uint32_t size_;
+  uint32_t bit_ = 0;   // the next one, from the end
+  uint32_t y_at_ = 0;  // where the last one ended [2 u]
+  uint32_t x_at_ = 0;
+  uint32_t head_ = 0;
   uint8_t left_inset_u_ = 0;
   uint8_t right_inset_u_ = 0;
-  bool is_symmetric_ = false;
 };
 
 }  // namespace inkcell

@@ -12,6 +12,7 @@ namespace detail {
 
 // The most that a stem's width may differ from whole pixels.
 constexpr int32_t kStemShoulder = 16;
+static_assert(kPx - kStemShoulder >= kLeastStroke, "cells are a pixel");
 
 class AcrossFit {
  public:
@@ -64,8 +65,7 @@ inline void AcrossFit::add(int32_t left_u,
 inline void AcrossFit::read(GlyphHints& hints) noexcept {
   for (uint32_t i = hints.x_count(); i != 0; --i) {
     const XHint hint = hints.next_x();
-    if (hint.is_foot ||
-        (end_ != stems_ + 1 && hint.left_u <= end_[-1].right_u)) {
+    if (end_ != stems_ + 1 && hint.left_u <= end_[-1].right_u) {
       continue;
     }
     int32_t width = fit_.stem_q6_;
@@ -77,8 +77,8 @@ inline void AcrossFit::read(GlyphHints& hints) noexcept {
     if (fit_.levels_ == 2) {
       width = cell;
     } else {
-      width = min(max(max(width, kLeastStroke), cell - kStemShoulder),
-                  cell + kStemShoulder);
+      // No thinner than kLeastStroke.
+      width = min(max(width, cell - kStemShoulder), cell + kStemShoulder);
     }
     add(hint.left_u, hint.right_u, cell, width);
   }

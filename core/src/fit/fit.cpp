@@ -135,23 +135,23 @@ __attribute__((noinline)) void Fit::to_grid(int64_t& at_q10) const noexcept {
 // The entry points of grid fitting.
 class GridFit {
  public:
-  static void fit(const Font&,
+  static void fit(const Font& font,
                   const Style& style,
                   uint16_t glyph,
                   const GlyphMetrics& metrics,
                   FinePoint& origin,
                   GlyphWarp& warp) noexcept {
-    fit_both(fit_of(style), glyph, metrics, origin, warp);
+    fit_both(fit_of(style), font, glyph, metrics, origin, warp);
   }
 
-  static void heights(const Font&,
+  static void heights(const Font& font,
                       const Style& style,
                       uint16_t glyph,
                       const GlyphMetrics&,
                       FinePoint& origin,
                       GlyphWarp& warp) noexcept {
     const Fit& fit = fit_of(style);
-    GlyphHints hints(fit.hints_, glyph);
+    GlyphHints hints(fit.hints_, font.record(glyph));
     fit_heights(fit, hints, origin, warp);
   }
 
@@ -178,7 +178,7 @@ class GridFit {
     set(font, style, kLevels, fit);
     // Fonts without hints too, as advances are whole.
     fit.to_grid(origin.x_q10);
-    fit_both(fit, glyph, metrics, origin, warp);
+    fit_both(fit, font, glyph, metrics, origin, warp);
   }
 
   static bool is_small(const Style& style) noexcept {
@@ -214,11 +214,12 @@ class GridFit {
   }
 
   static void fit_both(const Fit& fit,
+                       const Font& font,
                        uint16_t glyph,
                        const GlyphMetrics& metrics,
                        FinePoint& origin,
                        GlyphWarp& warp) noexcept {
-    GlyphHints hints(fit.hints_, glyph);
+    GlyphHints hints(fit.hints_, font.record(glyph));
     fit_heights(fit, hints, origin, warp);
     if (fit.is_across_) {
       fit.to_grid(origin.x_q10);
@@ -234,11 +235,11 @@ class GridFit {
     if (page == nullptr) {
       return 0;
     }
-    GlyphHints hints(fit.hints_, id);
+    const auto own = static_cast<uint16_t>(id);
+    GlyphHints hints(fit.hints_, page->record(own));
     for (uint32_t i = hints.y_count(); i != 0; --i) {
       static_cast<void>(hints.next_y());
     }
-    const auto own = static_cast<uint16_t>(id);
     return fit_across(fit, Fit::metrics_of(*page, own), hints, nullptr) >> 6;
   }
 

@@ -22,9 +22,9 @@ constexpr uint32_t kMaxSections = 32;
 
 // The sections that are known: first those that a font keeps, in its order,
 // then CODE.
-constexpr uint32_t kKnownTags[] = {section::kCmap,   section::kMetrics,
-                                   section::kGlyphs, section::kKerning,
-                                   section::kCode,   section::kName};
+constexpr uint32_t kKnownTags[] = {
+    section::kCmap, section::kMetrics, section::kGlyphs,   section::kKerning,
+    section::kCode, section::kName,    section::kCodePages};
 constexpr uint32_t kKnown = sizeof kKnownTags / sizeof kKnownTags[0];
 
 // What the rest of `open` needs of a header that it has checked. Read once:
@@ -89,19 +89,30 @@ bool find_section(Span<const uint8_t> rom,
 // reading bits is safe with any.
 class Font::MetricsRow {
  public:
-  void set(const Span<const uint8_t>& section, uint32_t first_bit) noexcept {
+  // `box_bits`: of the columns but for the advance, which is the first glyphs'.
+  void set(const Span<const uint8_t>& section,
+           uint32_t box_bits,
+           uint32_t glyph) noexcept {
     section_ = &section;
-    bit_ = 8 * format::metrics::kBytes + first_bit;
+    const uint32_t advances =
+        load_u16(section.data + format::metrics::kAdvances);
+    advance_bits_ = section.data[format::metrics::kColumnBits];
+    bit_ = 8 * format::metrics::kBytes + box_bits * glyph;
+    if (glyph < advances) {
+      bit_ += advance_bits_ * glyph;
+    } else {
+      bit_ += advance_bits_ * advances;
+      advance_bits_ = 0;
+    }
   }
 
-  uint32_t width(uint32_t column) const noexcept {
-    return section_->data[format::metrics::kColumnBits + column];
-  }
-  void skip(uint32_t column) noexcept { bit_ += width(column); }
+  void skip_advance() noexcept { bit_ += advance_bits_; }
 
   // Modulo 2^16.
   uint16_t take(uint32_t column) noexcept {
-    const uint32_t bits = width(column);
+    const uint32_t bits =
+        column == 0 ? advance_bits_
+                    : section_->data[format::metrics::kColumnBits + column];
     const uint32_t above_base = detail::read_bits(*section_, bit_, bits);
     bit_ += bits;
     return static_cast<uint16_t>(
@@ -112,6 +123,7 @@ class Font::MetricsRow {
  private:
   const Span<const uint8_t>* section_;
   uint32_t bit_;
+  uint32_t advance_bits_;
 };
 
 // What outlines are read with is kept: it was checked.
@@ -242,42 +254,13 @@ FontRange Font::range() const noexcept {
   return range;
 }
 
-Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
-  namespace cmap = format::cmap;
-  glyph = 0;
-  // Invariant: an entry that holds the code point has an index below `end`,
-  // and all entries below `begin` start at or before it.
-  uint32_t begin = 0;
-  uint32_t end = static_cast<uint32_t>(cmap_table().size) / cmap::kBytes;
-  while (begin < end) {
-    const uint32_t middle = begin + (end - begin) / 2;
-    if (load_u32(cmap_table().data + middle * cmap::kBytes + cmap::kFirst) <=
-        code_point) {
-      begin = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  if (begin != 0) {
-    const uint8_t* entry = cmap_table().data + (begin - 1) * cmap::kBytes;
-    const uint32_t step = code_point - load_u32(entry + cmap::kFirst);
-    const uint32_t id = load_u16(entry + cmap::kFirstGlyph) + step;
-    if (step <= load_u16(entry + cmap::kExtra) && id < glyph_count_) {
-      glyph = static_cast<uint16_t>(id);
-      return Status::ok;
-    }
-  }
-  return is_paged_ != 0 ? pages().glyph_of(pages(), code_point, glyph)
-                        : Status::no_glyph;
-}
-
 // False: there is no such glyph.
 bool Font::find_row(uint32_t glyph, MetricsRow& row) const noexcept {
   const Font* const font = page_of(glyph);
   if (font == nullptr) {
     return false;
   }
-  row.set(font->metrics_table(), font->metrics_row_bits_ * glyph);
+  row.set(font->metrics_table(), font->metrics_row_bits_, glyph);
   return true;
 }
 
@@ -314,7 +297,7 @@ InkBox Font::ink_box(uint16_t glyph) const noexcept {
   }
   const auto u_per_unit_q14 =
       static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
-  row.skip(0);  // the advance
+  row.skip_advance();
   // The quotient is too small by less than one, or exact.
   const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
   int16_t sides[4];

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "base/bit_table.hpp"
+#include "base/bytes.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
 
@@ -18,13 +19,17 @@ inline bool Font::fit_tables() noexcept {
       glyph_table().size < glyphs::kBytes) {
     return false;
   }
+  const uint8_t* const header = metrics_table().data;
+  const uint8_t* const bits = header + metrics::kColumnBits;
   uint32_t row_bits = 0;
-  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
-    row_bits += metrics_table().data[metrics::kColumnBits + i];
+  for (uint32_t i = 1; i < metrics::kColumns; ++i) {
+    row_bits += bits[i];
   }
   metrics_row_bits_ = static_cast<uint16_t>(row_bits);
-  return detail::bits_fit(metrics_table(), metrics::kBytes,
-                          row_bits * glyph_count_) &&
+  return detail::bits_fit(
+             metrics_table(), metrics::kBytes,
+             bits[0] * detail::load_u16(header + metrics::kAdvances) +
+                 row_bits * glyph_count_) &&
          detail::bits_fit(glyph_table(), glyphs::kBytes,
                           glyph_table().data[glyphs::kOffsetBits] *
                               (uint32_t{glyph_count_} + 1));

@@ -1,6 +1,5 @@
 #include "inkcell/grid_hints.hpp"
 
-#include "base/bit_table.hpp"
 #include "base/bytes.hpp"
 #include "inkcell/format/rom.hpp"
 
@@ -12,24 +11,14 @@ namespace grid = format::grid;
 // Zones beyond this are read as this. [u]
 constexpr int32_t kFarthestZone = 2048;
 
-// Bits that are taken from the highest on.
-struct Bits {
-  uint32_t word;
-  uint32_t used;
-
-  uint32_t take(uint32_t count) noexcept {
-    const uint32_t value = word >> (32 - count);
-    word <<= count;
-    used += count;
-    return value;
-  }
-  bool flag() noexcept { return take(1) != 0; }
-  int32_t position_u() noexcept {
-    return grid::kPositionBase +
-           grid::kPositionStep *
-               static_cast<int32_t>(take(grid::kPositionBits));
-  }
-};
+// [2 u -> u]
+int32_t position_u(uint32_t at) noexcept {
+  return grid::kPositionBase + grid::kPositionStep * static_cast<int32_t>(at);
+}
+// Of any height, as gaps count from there. [u -> 2 u]
+uint32_t position_of(int32_t at_u) noexcept {
+  return static_cast<uint32_t>(at_u - grid::kPositionBase) >> 1;
+}
 
 }  // namespace
 
@@ -44,19 +33,16 @@ Status GridHints::open(const Font& font, GridHints& out) noexcept {
   }
   const uint8_t* const at = section.data;
   const uint32_t zones = at[grid::kZones];
-  const uint32_t offset_bits = at[grid::kOffsetBits];
-  const uint32_t bits = offset_bits * (font.glyph_count() + 1u);
-  const uint32_t records =
-      grid::kBytes + grid::kZoneBytes * zones + (bits + 7) / 8;
-  if (zones > grid::kMaxZones || offset_bits > grid::kMaxOffsetBits ||
-      records > section.size) {
+  const uint32_t code_bits = at[grid::kCodeBits];
+  if (zones > grid::kMaxZones || code_bits > grid::kMaxCodeBits ||
+      grid::kBytes + grid::kZoneBytes * zones +
+              (2 * grid::kTables << code_bits) >
+          section.size) {
     return Status::corrupt;
   }
   // Member by member: smaller than to copy a whole one.
-  out.section_ = section;
-  out.records_ = records;
-  out.glyph_count_ = font.glyph_count();
-  out.offset_bits_ = static_cast<uint8_t>(offset_bits);
+  out.section_ = at;
+  out.code_bits_ = static_cast<uint8_t>(code_bits);
   out.zone_count_ = static_cast<uint8_t>(zones);
   out.flags_ = at[grid::kFlags];
   out.stem_width_u_ = at[grid::kStemWidth];
@@ -74,7 +60,7 @@ bool GridHints::has_few_bars() const noexcept {
 }
 
 GridZone GridHints::zone(uint32_t i) const noexcept {
-  const uint8_t* const at = section_.data + grid::kBytes + grid::kZoneBytes * i;
+  const uint8_t* const at = section_ + grid::kBytes + grid::kZoneBytes * i;
   int32_t flat = detail::load_i16(at + grid::kZoneFlat);
   flat = flat > kFarthestZone ? kFarthestZone : flat;
   flat = flat < -kFarthestZone ? -kFarthestZone : flat;
@@ -82,113 +68,101 @@ GridZone GridHints::zone(uint32_t i) const noexcept {
           (at[grid::kZoneFlags] & grid::kTopZone) != 0};
 }
 
-bool GridHints::record(uint32_t glyph,
-                       Span<const uint8_t>& out) const noexcept {
-  out = {};
-  if (glyph >= glyph_count_) {
-    return true;
-  }
-  const Span<const uint8_t> tables = {section_.data, records_};
-  const uint32_t first = 8 * (grid::kBytes + grid::kZoneBytes * zone_count_) +
-                         glyph * offset_bits_;
-  const uint32_t begin = detail::read_bits(tables, first, offset_bits_);
-  const uint32_t end =
-      detail::read_bits(tables, first + offset_bits_, offset_bits_);
-  if (begin > end || end > section_.size - records_) {
-    return false;
-  }
-  out = {section_.data + records_ + begin, end - begin};
-  return true;
-}
-
-static_assert(GlyphHints::kMostY + 1 == 1u << grid::kHeightCountBits &&
-                  GlyphHints::kMostX + 1 == 1u << grid::kAcrossCountBits,
+static_assert(GlyphHints::kMostY == grid::kHeightCountMask &&
+                  GlyphHints::kMostX == grid::kStemCountMask,
               "as many as can be stored");
 
-GlyphHints::GlyphHints(const GridHints& hints, uint32_t glyph) noexcept
-    : hints_(hints) {
-  if (hints.empty() || !hints.record(glyph, record_) || empty()) {
+GlyphHints::GlyphHints(const GridHints& hints,
+                       const Span<const uint8_t>& record) noexcept
+    : hints_(hints),
+      end_(record.end()),
+      size_(static_cast<uint32_t>(record.size)) {
+  if (hints.empty() || size_ == 0) {
     return;
   }
-  Bits bits = {window(), 0};
-  is_symmetric_ = bits.flag();
-  const bool has_insets = bits.flag();
-  y_count_ = static_cast<uint8_t>(bits.take(grid::kHeightCountBits));
-  x_count_ = static_cast<uint8_t>(bits.take(grid::kAcrossCountBits));
-  if (has_insets) {
-    left_inset_u_ = static_cast<uint8_t>(2 * bits.take(grid::kInsetBits));
-    right_inset_u_ = static_cast<uint8_t>(2 * bits.take(grid::kInsetBits));
+  const uint8_t* const section = hints.section_;
+  y_at_ = uint32_t{section[grid::kFirstY]} << grid::kFirstShift;
+  x_at_ = uint32_t{section[grid::kFirstX]} << grid::kFirstShift;
+  head_ = take(grid::kHeads);
+  if ((head_ & grid::kHasInsets) != 0) {
+    constexpr uint32_t kMask = (1u << grid::kInsetBits) - 1;
+    const uint32_t bits = window();
+    left_inset_u_ = static_cast<uint8_t>(2 * (bits & kMask));
+    right_inset_u_ =
+        static_cast<uint8_t>(2 * (bits >> grid::kInsetBits & kMask));
+    bit_ += 2 * grid::kInsetBits;
   }
-  bit_ = bits.used;
 }
 
-// 25 bits at least, from the highest on; 0 beyond the record. The last four
-// bytes are read where fewer are left: a header lies before all records.
+// 25 bits at least, from the lowest on; 0 beyond the record. Three bytes before
+// it may be read: a header lies before all records.
 uint32_t GlyphHints::window() const noexcept {
-  static_assert(grid::kBytes >= 4, "bytes before the first record");
-  const auto size = static_cast<uint32_t>(record_.size);  // below 2^20
   const uint32_t first = bit_ / 8;
-  if (first >= size) {
+  if (first >= size_) {
     return 0;
   }
-  const uint32_t past = first + 4 > size ? first + 4 - size : 0;
-  return __builtin_bswap32(detail::load_any_u32(record_.data + first - past))
-         << (8 * past + bit_ % 8);
+  return __builtin_bswap32(detail::load_any_u32(end_ - first - 4)) >> bit_ % 8;
+}
+
+// The number of the next code word.
+uint32_t GlyphHints::take(uint32_t table) noexcept {
+  const uint32_t bits = window();
+  const uint32_t code_bits = hints_.code_bits_;
+  const uint32_t word = bits & ~(~0u << code_bits);
+  const uint8_t* const words =
+      hints_.section_ + grid::kBytes + grid::kZoneBytes * hints_.zone_count_;
+  const uint32_t entry =
+      detail::load_u16(words + 2 * ((table << code_bits) + word));
+  const uint32_t length = entry & grid::kLengthMask;
+  const uint32_t extra = entry >> grid::kExtraShift & grid::kExtraMask;
+  bit_ += length + extra;
+  return (entry >> grid::kBaseShift) + (bits >> length & ~(~0u << extra));
+}
+
+// [u]
+int32_t GlyphHints::take_width(uint32_t table, bool& is_standard) noexcept {
+  const uint32_t stored = take(table) & grid::kWidthMask;
+  is_standard = stored == 0;
+  if (stored != 0) {
+    return static_cast<int32_t>(2 * stored);
+  }
+  return table == grid::kWidthsY ? hints_.bar_width_u() : hints_.stem_width_u();
 }
 
 YHint GlyphHints::next_y() noexcept {
-  Bits bits = {window(), 0};
-  YHint hint = {};
-  hint.kind = static_cast<YHint::Kind>(bits.take(grid::kHeightKindBits));
-  hint.zone = YHint::kNoZone;
+  YHint hint;
+  const uint32_t what = take(grid::kHeights);
+  hint.kind =
+      static_cast<YHint::Kind>(what >> grid::kKindShift & grid::kKindMask);
+  hint.is_top = (what & grid::kTop) != 0;
+  hint.is_round = (what & grid::kRound) != 0;
   const bool is_stroke = hint.kind <= YHint::serif;
-  if (hint.kind != YHint::edge) {
-    hint.is_top = bits.flag();
+  const uint32_t zone = (what >> grid::kZoneShift & grid::kZoneMask) - 1;
+  hint.zone = static_cast<uint8_t>(zone);  // kNoZone is -1
+  int32_t at_u = 0;
+  if (hint.zone == YHint::kNoZone) {
+    at_u = position_u((y_at_ + take(grid::kGapsY)) & grid::kPositionMask);
+  } else if (zone < hints_.zone_count()) {
+    const GridZone read = hints_.zone(zone);
+    at_u = read.flat_u + (hint.is_round ? read.overshoot_u : 0);
+    hint.is_top = is_stroke ? hint.is_top : read.is_top;
   }
-  int32_t at_u;
-  if (hint.kind == YHint::edge || (is_stroke && bits.flag())) {
-    hint.zone = static_cast<uint8_t>(bits.take(grid::kZoneBits));
-    hint.is_round = bits.flag();
-    at_u = 0;
-    if (hint.zone < hints_.zone_count()) {
-      const GridZone zone = hints_.zone(hint.zone);
-      at_u = zone.flat_u + (hint.is_round ? zone.overshoot_u : 0);
-      hint.is_top = is_stroke ? hint.is_top : zone.is_top;
-    }
-  } else {
-    at_u = bits.position_u();
-  }
-  int32_t low_u = at_u;
-  int32_t high_u = at_u;
+  hint.is_standard = false;
+  int32_t width_u = 0;
   if (is_stroke) {
-    hint.is_standard = bits.flag();
-    const int32_t width_u =
-        hint.is_standard
-            ? hints_.bar_width_u()
-            : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
-    (hint.is_top ? low_u : high_u) += hint.is_top ? -width_u : width_u;
+    width_u = take_width(grid::kWidthsY, hint.is_standard);
   }
-  hint.low_u = low_u;
-  hint.high_u = high_u;
-  bit_ += bits.used;
+  hint.low_u = at_u - (hint.is_top ? width_u : 0);
+  hint.high_u = hint.low_u + width_u;
+  y_at_ = position_of(hint.low_u);
   return hint;
 }
 
 XHint GlyphHints::next_x() noexcept {
-  Bits bits = {window(), 0};
-  XHint hint = {};
-  hint.is_foot = bits.flag();
-  const int32_t left_u = bits.position_u();
-  int32_t right_u = left_u;
-  if (!hint.is_foot) {
-    hint.is_standard = bits.flag();
-    right_u += hint.is_standard
-                   ? hints_.stem_width_u()
-                   : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
-  }
-  hint.left_u = left_u;
-  hint.right_u = right_u;
-  bit_ += bits.used;
+  XHint hint;
+  hint.left_u = position_u((x_at_ + take(grid::kGapsX)) & grid::kPositionMask);
+  hint.right_u = hint.left_u + take_width(grid::kWidthsX, hint.is_standard);
+  x_at_ = position_of(hint.right_u);
   return hint;
 }
 

@@ -30,10 +30,11 @@ bool is_mirrored(const int32_t* matrix_q14) noexcept {
 }
 
 // Points of a simple outline, ends of contours included; more than max_points
-// if it does not end.
+// if it does not end. `bit` is set to where it ends.
 uint32_t count_points(Span<const uint8_t> record,
-                      const OutlineCoding& coding) noexcept {
-  uint32_t bit = 1;
+                      const OutlineCoding& coding,
+                      uint32_t& bit) noexcept {
+  bit = 1;
   uint32_t table = 0;
   bool is_start = true;
   for (uint32_t points = 1; points <= coding.max_points; ++points) {
@@ -86,10 +87,12 @@ bool code_fits(const OutlineCoding& coding) noexcept {
 
 bool outline_fits(const Font& font,
                   Span<const uint8_t> record,
-                  const OutlineCoding& coding) noexcept {
+                  const OutlineCoding& coding,
+                  uint32_t& bits) noexcept {
   if (record.data[0] != format::composite::kType) {
-    return count_points(record, coding) <= coding.max_points;
+    return count_points(record, coding, bits) <= coding.max_points;
   }
+  bits = 8 * format::composite::kTypeBytes;
   ComponentReader components;
   components.begin();
   Component component;
@@ -100,7 +103,8 @@ bool outline_fits(const Font& font,
         (component.has_matrix && is_mirrored(component.matrix_q14()))) {
       return false;
     }
-    points += count_points(part, coding);
+    uint32_t end;
+    points += count_points(part, coding, end);
   }
   return points != 0 && points <= coding.max_points;
 }

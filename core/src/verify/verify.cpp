@@ -35,6 +35,46 @@ bool cmap_fits(Span<const uint8_t> cmap, uint32_t glyph_count) noexcept {
   return true;
 }
 
+// Pages ascend as their code points do, and every glyph exists.
+bool code_pages_fit(Span<const uint8_t> section,
+                    uint32_t glyph_count) noexcept {
+  namespace pages = format::code_pages;
+  if (section.size == 0) {
+    return true;
+  }
+  if (section.size < pages::kBytes) {
+    return false;
+  }
+  const uint32_t count = load_u16(section.data + pages::kPages);
+  const uint32_t header_bytes = pages::kBytes + 2 * (count + 1);
+  if (count == 0 || header_bytes > section.size ||
+      load_u16(section.data + pages::kFirstPage) + count > 0x1100) {
+    return false;
+  }
+  const uint8_t* const starts = section.data + pages::kBytes;
+  const uint32_t last_glyph = (load_u16(section.data + pages::kGlyphBase) +
+                               static_cast<uint32_t>(section.size) - 1) &
+                              0xffff;
+  uint32_t begin = load_u16(starts);
+  if (begin != header_bytes || load_u16(starts + 2 * count) != section.size ||
+      last_glyph >= glyph_count || last_glyph + begin + 1 < section.size) {
+    return false;
+  }
+  for (uint32_t i = 1; i <= count; ++i) {
+    const uint32_t end = load_u16(starts + 2 * i);
+    if (end < begin || end > section.size) {
+      return false;
+    }
+    for (uint32_t k = begin + 1; k < end; ++k) {
+      if (section[k] <= section[k - 1]) {
+        return false;
+      }
+    }
+    begin = end;
+  }
+  return true;
+}
+
 bool widths_fit(const uint8_t* widths, uint32_t count, uint32_t most) noexcept {
   for (uint32_t i = 0; i < count; ++i) {
     if (widths[i] > most) {
@@ -103,9 +143,11 @@ class KerningCheck {
   uint32_t right_classes_ = 0;
 };
 
-bool metrics_fit(Span<const uint8_t> section) noexcept {
+bool metrics_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   namespace metrics = format::metrics;
-  return widths_fit(section.data + metrics::kColumnBits, metrics::kColumns,
+  const uint32_t advances = load_u16(section.data + metrics::kAdvances);
+  return advances <= glyph_count &&
+         widths_fit(section.data + metrics::kColumnBits, metrics::kColumns,
                     metrics::kMaxBits);
 }
 
@@ -129,14 +171,48 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   return true;
 }
 
-// The hints of a glyph ascend, name zones that exist, and do not end before the
-// last byte of its record.
-bool hints_fit(const GridHints& hints, uint32_t glyph) noexcept {
-  Span<const uint8_t> record;
-  if (!hints.record(glyph, record)) {
+// All entries that begin with a word are equal.
+bool hint_words_fit(const uint8_t* words, uint32_t code_bits) noexcept {
+  namespace grid = format::grid;
+  const uint32_t count = grid::kTables << code_bits;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t entry = load_u16(words + 2 * i);
+    const uint32_t length = entry & grid::kLengthMask;
+    const uint32_t table = i >> code_bits << code_bits;
+    const uint32_t first = table | (i & ((1u << length) - 1));
+    if (length > code_bits || load_u16(words + 2 * first) != entry) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Opens the hints of a font, which may have none.
+bool open_hints(const Font& font, GridHints& hints) noexcept {
+  namespace grid = format::grid;
+  if (GridHints::open(font, hints) != Status::ok) {
     return false;
   }
-  GlyphHints read(hints, glyph);
+  if (hints.empty()) {
+    return true;
+  }
+  const uint8_t* const section = font.section(format::section::kGrid).data;
+  return (hints.x_zone() < hints.zone_count() ||
+          hints.x_zone() == grid::kNoZone) &&
+         hint_words_fit(
+             section + grid::kBytes + grid::kZoneBytes * hints.zone_count(),
+             section[grid::kCodeBits]);
+}
+
+// The hints of a glyph ascend, name zones that exist, and end where the outline
+// does, whose bits are `outline_bits`: no byte lies between them.
+bool hints_fit(const GridHints& hints,
+               const Span<const uint8_t>& record,
+               uint32_t outline_bits) noexcept {
+  if (hints.empty()) {
+    return true;
+  }
+  GlyphHints read(hints, record);
   int32_t last_u = INT32_MIN;
   for (uint32_t i = 0; i < read.y_count(); ++i) {
     const YHint hint = read.next_y();
@@ -154,27 +230,9 @@ bool hints_fit(const GridHints& hints, uint32_t glyph) noexcept {
     }
     last_u = hint.right_u;
   }
-  return record.size <= (read.bits() + 7) / 8;
-}
-
-bool hints_fit(const Font& font) noexcept {
-  GridHints hints;
-  if (GridHints::open(font, hints) != Status::ok) {
-    return false;
-  }
-  if (hints.empty()) {
-    return true;
-  }
-  if (hints.x_zone() >= hints.zone_count() &&
-      hints.x_zone() != format::grid::kNoZone) {
-    return false;
-  }
-  for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
-    if (!hints_fit(hints, glyph)) {
-      return false;
-    }
-  }
-  return true;
+  const size_t bytes = (outline_bits + read.bits() + 7) / 8;
+  return bytes == record.size ||
+         (bytes < record.size && record.data[0] == format::composite::kType);
 }
 
 }  // namespace
@@ -191,10 +249,12 @@ Status Font::verify() const noexcept {
   const uint32_t crc =
       detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
-      !cmap_fits(cmap_table(), glyph_count_) || !metrics_fit(metrics_table()) ||
+      !cmap_fits(cmap_table(), glyph_count_) ||
+      !code_pages_fit(section(format::section::kCodePages), glyph_count_) ||
+      !metrics_fit(metrics_table(), glyph_count_) ||
       (kerning_table().size != 0 &&
        !KerningCheck().fits(kerning_table(), glyph_count_)) ||
-      !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_) ||
+      !offsets_fit(glyph_table(), glyph_count_) ||
       !detail::morphs_fit(section(format::section::kMorphs), glyph_count_)) {
     return Status::corrupt;
   }
@@ -203,10 +263,16 @@ Status Font::verify() const noexcept {
   if (has_code && !detail::code_fits(coding)) {
     return Status::corrupt;
   }
+  GridHints hints;
+  if (has_code && !open_hints(*this, hints)) {
+    return Status::corrupt;
+  }
   for (uint32_t glyph = 0; has_code && glyph < glyph_count_; ++glyph) {
     const Span<const uint8_t> bytes = record(static_cast<uint16_t>(glyph));
+    uint32_t bits = 0;
     if (bytes.size != 0 && (!detail::is_outline(bytes) ||
-                            !detail::outline_fits(*this, bytes, coding))) {
+                            !detail::outline_fits(*this, bytes, coding, bits) ||
+                            !hints_fit(hints, bytes, bits))) {
       return Status::corrupt;
     }
   }

@@ -86,8 +86,7 @@ Status StoredStore::read_header(uint32_t ram_bytes) noexcept {
 }
 
 Status StoredStore::open_font() noexcept {
-  const size_t bytes =
-      size_t{resident_bytes_} - font_offset_ + size_t{block_bytes_};
+  const size_t bytes = size_t{resident_bytes_} - font_offset_;
   font_ = Font();
   INKCELL_TRY(
       Font::open({resident() + font_offset_, bytes}, kStoredCoding, font_));
@@ -192,17 +191,16 @@ bool StoredStore::load_page(uint32_t block) noexcept {
 bool StoredStore::open_page() noexcept {
   const uint8_t* const bytes = bytes_of(0);
   const uint8_t* const end = bytes + block_bytes_ - trailer::kBytes;
-  const uint32_t metrics = load_u16(end + trailer::kMetrics) & ~1u;
   const uint32_t records = load_u16(end + trailer::kRecords);
   const uint32_t run_bytes = end[trailer::kRuns] * format::cmap::kBytes;
   const uint32_t size = block_bytes_ - trailer::kBytes;
   first_glyph_ = load_u16(end + trailer::kFirstGlyph);
   page_.glyph_count_ = end[trailer::kGlyphs];
-  if (run_bytes <= size && records <= size - run_bytes && metrics <= records &&
+  if (run_bytes <= size && records <= size - run_bytes &&
       first_glyph_ >= font_.glyph_count_ &&
       first_glyph_ + page_.glyph_count_ <= glyph_end_ + 1u) {
     page_.tables_[0] = {end - run_bytes, run_bytes};
-    page_.tables_[1] = {bytes + metrics, records - metrics};
+    page_.tables_[1] = {bytes, records};
     page_.tables_[2] = {bytes + records, size - run_bytes - records};
     if (page_.fit_tables()) {
       page_block_ = slots()[0].block;
@@ -299,16 +297,6 @@ bool StoredStore::page_holds(uint32_t glyph) const noexcept {
          glyph >= first_glyph_;
 }
 
-// .notdef has no hints: those of the window must not be taken for its own.
-const Font* StoredStore::notdef(uint32_t& glyph) noexcept {
-  if (!has_page()) {
-    slots()[0].block = 0;
-    __builtin_memset(bytes_of(0), 0, 8);
-  }
-  glyph = 0;
-  return &font_;
-}
-
 Status StoredStore::glyph_of_code(const FontPages& pages,
                                   uint32_t code_point,
                                   uint16_t& glyph) noexcept {
@@ -342,7 +330,8 @@ const Font* StoredStore::page_of_glyph(const FontPages& pages,
       if (failures == self.stats_.failures) {
         static_cast<void>(self.fail(Status::corrupt));
       }
-      return self.notdef(glyph);
+      glyph = 0;
+      return &self.font_;
     }
   }
   glyph -= self.first_glyph_ - 1u;
@@ -354,8 +343,7 @@ const Font* StoredStore::font_to_draw(const Font& font,
   if (glyph >= font.glyph_count_) {
     return page_of_glyph(font.pages(), glyph);
   }
-  StoredStore& self = store_of(font.pages());
-  return glyph == 0 ? self.notdef(glyph) : nullptr;
+  return glyph == 0 ? &font : nullptr;
 }
 
 // Few glyphs kern, and have the lowest ids: others need no read.

@@ -67,7 +67,6 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   uint32_t last_page() const noexcept {
     return index_counts_[0] + index_counts_[1] + page_count_;
   }
-  const Font* notdef(uint32_t& glyph) noexcept;
 
   uint8_t* resident() const noexcept {
     return reinterpret_cast<uint8_t*>(const_cast<StoredStore*>(this) + 1);

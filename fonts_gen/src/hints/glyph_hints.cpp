@@ -40,7 +40,7 @@ struct Candidate {
 bool fits_position(double position) {
   return position >= grid::kPositionBase &&
          position <= grid::kPositionBase +
-                         grid::kPositionStep * ((1 << grid::kPositionBits) - 1);
+                         grid::kPositionStep * int{grid::kPositionMask};
 }
 
 int rounded(double value) {
@@ -52,8 +52,8 @@ std::optional<int> stored_width(double width, int standard_u) {
   if (standard_u > 0 && std::abs(width - standard_u) <= kSameWidth) {
     return {};
   }
-  constexpr int kMost = grid::kPositionStep * ((1 << grid::kWidthBits) - 1);
-  return std::clamp(rounded(width), 0, kMost);
+  constexpr int kStep = grid::kPositionStep;
+  return std::clamp(rounded(width), kStep, kStep * int{grid::kWidthMask});
 }
 
 HeightHint bar_hint(const Stroke& bar, const FaceHints& face) {
@@ -255,10 +255,10 @@ GlyphHints make_glyph_hints(const GlyphFeatures& features,
   hints.heights = choose_heights(height_candidates(features, face), face);
   for (const Stroke& stem :
        resolve_stems(features.stems, features.body.middle())) {
-    AcrossHint hint;
+    StemHint hint;
     hint.position_u = rounded(stem.low);
     hint.width_u = stored_width(stem.width(), face.stem_width_u);
-    hints.across.push_back(hint);
+    hints.stems.push_back(hint);
   }
   return hints;
 }

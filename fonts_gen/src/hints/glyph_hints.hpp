@@ -1,4 +1,4 @@
-// The hints of one glyph, as in its record in section GRID.
+// The hints of one glyph, as in its record.
 #pragma once
 
 #include <array>
@@ -27,12 +27,10 @@ struct HeightHint {
   bool rises = false;          // of a free end
 };
 
-struct AcrossHint {
-  enum class Kind { stem, foot };
-
-  Kind kind = Kind::stem;
-  int position_u = 0;          // the left edge of a stem, the middle of a foot
-  std::optional<int> width_u;  // of a stem; none: the face's stem width
+/// A vertical stem.
+struct StemHint {
+  int position_u = 0;          // the left edge
+  std::optional<int> width_u;  // none: the face's stem width
 };
 
 struct GlyphHints {
@@ -40,18 +38,18 @@ struct GlyphHints {
   int left_inset_u = 0;  // from the box to the ink without serifs
   int right_inset_u = 0;
   std::vector<HeightHint> heights;  // ascending by their lower edges
-  std::vector<AcrossHint> across;   // from left to right
+  std::vector<StemHint> stems;      // from left to right
 
   bool empty() const {
     return !is_symmetric && left_inset_u == 0 && right_inset_u == 0 &&
-           heights.empty() && across.empty();
+           heights.empty() && stems.empty();
   }
 };
 
-/// The content of section GRID.
+/// The hints of a font.
 struct FontHints {
   FaceHints face;
-  std::vector<GlyphHints> glyphs;  // none: the font has no such section
+  std::vector<GlyphHints> glyphs;  // none: the font has no section GRID
 
   bool empty() const { return glyphs.empty(); }
 };

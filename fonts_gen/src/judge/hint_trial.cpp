@@ -52,10 +52,10 @@ constexpr Reduction kReductions[] = {
     [](GlyphHints&) {},
     drop_ends,
     [](GlyphHints& hints) { drop_heights(HeightHint::Kind::serif, hints); },
-    [](GlyphHints& hints) { hints.across.clear(); },
+    [](GlyphHints& hints) { hints.stems.clear(); },
     [](GlyphHints& hints) {
       drop_ends(hints);
-      hints.across.clear();
+      hints.stems.clear();
     },
     [](GlyphHints& hints) { hints = GlyphHints(); },
 };

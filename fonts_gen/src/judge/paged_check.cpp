@@ -5,9 +5,8 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "hints/grid_section.hpp"
-#include "inkcell/grid_hints.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "rom/rom_font.hpp"
 #include "source/char_set.hpp"
 
 namespace inkcell::gen {
@@ -32,31 +31,24 @@ bool is_same(const std::vector<uint8_t>& bytes,
 
 bool is_right(const Font& font,
               const RomContent& content,
+              const HintCode& code,
               char32_t code_point,
               size_t source) {
   uint16_t glyph = 0;
   if (font.glyph_of(code_point, glyph) != Status::ok) {
     return false;
   }
-  GridHints hints;
   GlyphMetrics m;
-  const RomGlyph& expected = content.glyphs[source];
-  const GlyphMetrics& s = expected.metrics;
-  if (GridHints::open(font, hints) != Status::ok ||
-      font.glyph_metrics(glyph, m) != Status::ok || m.advance != s.advance ||
+  const GlyphMetrics& s = content.glyphs[source].metrics;
+  if (font.glyph_metrics(glyph, m) != Status::ok || m.advance != s.advance ||
       m.x_min != s.x_min || m.y_min != s.y_min || m.x_max != s.x_max ||
       m.y_max != s.y_max) {
     return false;
   }
   uint32_t id = glyph;
   const Font* const page = font.page_of(id);
-  Span<const uint8_t> hint;
-  return page != nullptr &&
-         is_same(expected.outline_record,
-                 page->record(static_cast<uint16_t>(id))) &&
-         (content.hints.empty() ||
-          (hints.record(id, hint) &&
-           is_same(hint_record(content.hints.glyphs[source]), hint)));
+  return page != nullptr && is_same(hinted_record(content, source, code),
+                                    page->record(static_cast<uint16_t>(id)));
 }
 
 // One character of each class, on a side.
@@ -111,12 +103,14 @@ void check_paged_font(const std::vector<uint8_t>& bytes,
       {read_bytes, &file},
       {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * sizeof(uint64_t)},
       stored);
+  const HintCode code = content.hint_code();
   std::string wrong;
   if (status != Status::ok || stored.verify() != Status::ok) {
     wrong = "that the device does not open it";
   }
   for (const auto& [code_point, glyph] : content.glyph_of) {
-    if (wrong.empty() && !is_right(stored.font(), content, code_point, glyph)) {
+    if (wrong.empty() &&
+        !is_right(stored.font(), content, code, code_point, glyph)) {
       wrong = "the glyph of " + describe(code_point);
     }
   }

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "hints/grid_section.hpp"
 #include "inkcell/field/cell.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
@@ -116,7 +115,7 @@ void check_kerning(const Font& font, const RomContent& content) {
 // Fitting reads the section; how well it does is tested glyph by glyph.
 void check_hints(const Font& font, const RomContent& content) {
   const Span<const uint8_t> read = font.section(format::section::kGrid);
-  const std::vector<uint8_t> source = grid_section(content.hints);
+  const std::vector<uint8_t> source = content.hint_code().section();
   if (read.size < source.size() ||
       !std::equal(source.begin(), source.end(), read.begin())) {
     differ(content, "its hints");
@@ -203,13 +202,14 @@ class CellCheck {
 };
 
 void check_cells(const Font& font, const RomContent& content) {
+  const HintCode code = content.hint_code();
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     const RomGlyph& glyph = content.glyphs[i];
     if (content.options.coding == Coding::outline) {
       const Span<const uint8_t> record = font.record(static_cast<uint16_t>(i));
-      if (!std::equal(record.begin(), record.end(),
-                      glyph.outline_record.begin(),
-                      glyph.outline_record.end())) {
+      const std::vector<uint8_t> source = hinted_record(content, i, code);
+      if (!std::equal(record.begin(), record.end(), source.begin(),
+                      source.end())) {
         differ(content, "the record" + of_glyph(i));
       }
       continue;

@@ -6,26 +6,10 @@
 #include <vector>
 
 #include "base/work_pool.hpp"
-#include "hints/grid_section.hpp"
-#include "inkcell/format/rom.hpp"
 #include "rom/outline_font.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-// Offsets of records are limited: what does not fit has no hints.
-void limit_records(FontHints& hints) {
-  constexpr size_t kMostBytes = (size_t{1} << format::grid::kMaxOffsetBits) - 1;
-  size_t bytes = 0;
-  for (GlyphHints& glyph : hints.glyphs) {
-    const size_t record = hint_record(glyph).size();
-    if (bytes + record > kMostBytes) {
-      glyph = GlyphHints();
-    } else {
-      bytes += record;
-    }
-  }
-}
 
 // Whether outlines are pixels of a size that lies between these [px]: straight
 // lines between points of one grid. Fitting could only move them away from it.
@@ -77,7 +61,6 @@ FontHints find_hints(const RomContent& content, int jobs) {
     hints.glyphs.push_back(make_glyph_hints(
         features[i], hints.face, {metrics.x_min * u, metrics.x_max * u}));
   }
-  limit_records(hints);
   return hints;
 }
 

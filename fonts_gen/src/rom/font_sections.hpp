@@ -20,18 +20,16 @@ struct FontSection {
 /// CRC-32 as docs/FORMAT.md states it, after bytes whose sum is `crc`.
 uint32_t crc32(const uint8_t* data, size_t size, uint32_t crc = 0);
 
-std::vector<uint8_t> cmap_section(const RomContent& content);
 std::vector<uint8_t> metrics_section(const RomContent& content);
 std::vector<uint8_t> kerning_section(const RomContent& content);
-std::vector<uint8_t> glyphs_section(const RomContent& content);
+std::vector<uint8_t> glyphs_section(const RomContent& content,
+                                    const HintCode& code);
 std::vector<uint8_t> code_section(const RomContent& content);
 
-/// A font of these sections. Measures of all glyphs are those of `content`. The
-/// last section ends with `zeros` bytes, which are counted and not written.
+/// A font of these sections. Measures of all glyphs are those of `content`.
 std::vector<uint8_t> assemble_font(const RomContent& content,
                                    size_t glyph_count,
                                    const std::vector<FontSection>& sections,
-                                   size_t zeros,
                                    PartBytes& parts);
 
 }  // namespace inkcell::gen

@@ -52,14 +52,17 @@ void encode(RomContent& content, const MakeCode& make_code) {
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     RomGlyph& glyph = content.glyphs[i];
     glyph.outline_record.clear();
+    glyph.record_bits = 0;
     int sum = points[i];
     if (!glyph.references.empty()) {
       glyph.outline_record = composite_record(glyph.references);
+      glyph.record_bits = composite_bits(glyph.references);
       for (const OutlineReference& reference : glyph.references) {
         sum += points[reference.glyph];
       }
     } else if (!steps[i].empty()) {
       glyph.outline_record = outline_record(steps[i], code);
+      glyph.record_bits = outline_bits(steps[i], code);
     }
     coding.max_points = std::max(coding.max_points, sum);
   }

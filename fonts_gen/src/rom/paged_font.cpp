@@ -5,13 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "base/bit_table_writer.hpp"
 #include "base/byte_writer.hpp"
 #include "base/error.hpp"
-#include "hints/grid_section.hpp"
 #include "inkcell/format/paged.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
+#include "rom/character_runs.hpp"
 #include "rom/font_sections.hpp"
 #include "source/char_set.hpp"
 
@@ -29,9 +28,13 @@ using Characters = std::vector<std::pair<char32_t, uint16_t>>;
 RomGlyph bare(const RomGlyph& glyph) {
   RomGlyph copy;
   copy.outline_record = glyph.outline_record;
+  copy.record_bits = glyph.record_bits;
   copy.metrics = glyph.metrics;
   return copy;
 }
+
+// The first glyph of the first page; before it there is .notdef.
+constexpr size_t kFirstGlyph = 1;
 
 struct Page {
   char32_t first_code_point = 0;
@@ -39,19 +42,10 @@ struct Page {
   Bytes bytes;                   // a block but for first_glyph in its trailer
 };
 
-// Pages whose hints all have tables of one size, because the resident font,
-// which ends with them, is opened once.
 class PageMaker {
  public:
-  // `slots`: glyphs of a page at most, with glyph 0.
-  PageMaker(const RomContent& content, size_t slots)
-      : content_(content),
-        slots_(slots),
-        offset_bits_(
-            width_of(static_cast<uint32_t>(content.block_bytes / 4 - 1))) {}
-
-  size_t slots() const { return slots_; }
-  unsigned offset_bits() const { return offset_bits_; }
+  PageMaker(const RomContent& content, const HintCode& code)
+      : content_(content), code_(code) {}
 
   std::vector<Page> pages() const {
     std::vector<Page> pages;
@@ -76,30 +70,6 @@ class PageMaker {
     return pages;
   }
 
-  // The offsets of hints, and the hints. None where the table has no room.
-  std::optional<Bytes> hints(const std::vector<uint16_t>& glyphs) const {
-    Bytes out;
-    if (content_.hints.empty()) {
-      return out;
-    }
-    Bytes records;
-    BitTableWriter table(out);
-    table.put(0, offset_bits_);  // of glyph 0, which has none
-    for (size_t slot = 1; slot <= slots_; ++slot) {
-      table.put(static_cast<uint32_t>(records.size()), offset_bits_);
-      if (slot <= glyphs.size()) {
-        const Bytes record =
-            hint_record(content_.hints.glyphs[glyphs[slot - 1]]);
-        records.insert(records.end(), record.begin(), record.end());
-      }
-    }
-    if (records.size() >> offset_bits_ != 0) {
-      return std::nullopt;
-    }
-    out.insert(out.end(), records.begin(), records.end());
-    return out;
-  }
-
  private:
   // None if they do not fit.
   std::optional<Page> page(const Characters& characters) const {
@@ -108,34 +78,34 @@ class PageMaker {
     std::vector<uint16_t> glyphs;
     std::map<uint16_t, uint16_t> place_of;
     part.glyphs.emplace_back();
+    part.hints.glyphs.resize(content_.hints.empty() ? 0 : 1);
     for (const auto& [code_point, glyph] : characters) {
       const auto [place, is_new] =
           place_of.emplace(glyph, static_cast<uint16_t>(part.glyphs.size()));
       if (is_new) {
         glyphs.push_back(glyph);
         part.glyphs.push_back(bare(content_.glyphs[glyph]));
+        if (!content_.hints.empty()) {
+          part.hints.glyphs.push_back(content_.hints.glyphs[glyph]);
+        }
       }
       part.glyph_of[code_point] = place->second;
     }
     // Widens no column.
     part.glyphs[0].metrics = part.glyphs[1].metrics;
-    std::optional<Bytes> bytes = hints(glyphs);
-    const Bytes runs = cmap_section(part);
+    const Bytes runs = CharacterRuns(part.glyph_of).cmap_of_all();
     constexpr size_t kMostRuns = 255;
-    if (part.glyphs.size() > slots_ || !bytes.has_value() ||
+    constexpr size_t kMostGlyphs = 255;
+    if (part.glyphs.size() > kMostGlyphs ||
         runs.size() / format::cmap::kBytes > kMostRuns) {
       return std::nullopt;
     }
     Page page;
     page.first_code_point = characters.front().first;
     page.glyphs = glyphs;
-    Bytes& out = *bytes;
-    pad(out, 1);
-    const size_t metrics = out.size();
-    const Bytes rows = metrics_section(part);
-    out.insert(out.end(), rows.begin(), rows.end());
+    Bytes out = metrics_section(part);
     const size_t records = out.size();
-    const Bytes outlines = glyphs_section(part);
+    const Bytes outlines = glyphs_section(part, code_);
     out.insert(out.end(), outlines.begin(), outlines.end());
     const size_t end = content_.block_bytes - trailer::kBytes;
     if (out.size() + runs.size() > end) {
@@ -147,7 +117,6 @@ class PageMaker {
     out[end + trailer::kGlyphs] = static_cast<uint8_t>(part.glyphs.size());
     out[end + trailer::kRuns] =
         static_cast<uint8_t>(runs.size() / format::cmap::kBytes);
-    set_u16(out, end + trailer::kMetrics, static_cast<unsigned>(metrics));
     set_u16(out, end + trailer::kRecords, static_cast<unsigned>(records));
     page.bytes = std::move(out);
     return page;
@@ -167,33 +136,28 @@ class PageMaker {
   }
 
   const RomContent& content_;
-  size_t slots_;
-  unsigned offset_bits_;
+  const HintCode& code_;
 };
 
-// The font of .notdef. It has as many glyphs as a page at most, and ends where
-// the hints of a page begin.
-Bytes resident_font(const RomContent& content, const PageMaker& maker) {
+// The font of .notdef.
+Bytes resident_font(const RomContent& content, const HintCode& code) {
   RomContent part;
   part.options = content.options;
-  part.glyphs.resize(maker.slots());
-  for (RomGlyph& glyph : part.glyphs) {
-    glyph.metrics = content.glyphs[0].metrics;  // columns without bits
+  part.glyphs.push_back(bare(content.glyphs[0]));
+  if (!content.hints.empty()) {
+    part.hints.glyphs.push_back(content.hints.glyphs[0]);
   }
-  part.glyphs[0] = bare(content.glyphs[0]);
   constexpr uint32_t kNeeded = section::kMustUnderstand;
   std::vector<FontSection> sections = {
       {section::kMetrics, kNeeded, metrics_section(part), &PartBytes::metrics},
       {section::kCode, kNeeded, code_section(content), &PartBytes::glyphs},
-      {section::kGlyphs, kNeeded, glyphs_section(part), &PartBytes::glyphs}};
+      {section::kGlyphs, kNeeded, glyphs_section(part, code),
+       &PartBytes::glyphs}};
   if (!content.hints.empty()) {
-    sections.push_back({section::kGrid, 0,
-                        grid_head(content.hints.face, maker.offset_bits()),
-                        &PartBytes::hints});
+    sections.push_back({section::kGrid, 0, code.section(), &PartBytes::hints});
   }
   PartBytes parts;
-  return assemble_font(content, maker.slots(), sections, content.block_bytes,
-                       parts);
+  return assemble_font(content, part.glyphs.size(), sections, parts);
 }
 
 // An entry of the index for each page, then one for each block of entries, and
@@ -219,20 +183,6 @@ std::vector<std::vector<Bytes>> index_levels(const std::vector<Page>& pages,
     levels.push_back(std::move(above));
   }
   return levels;
-}
-
-// The fewest pages: more slots hold small glyphs, and cost offsets of hints.
-std::pair<PageMaker, std::vector<Page>> best_pages(const RomContent& content) {
-  std::optional<std::pair<PageMaker, std::vector<Page>>> best;
-  constexpr size_t kSlots[] = {3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 24, 32};
-  for (const size_t slots : kSlots) {
-    const PageMaker maker(content, slots);
-    std::vector<Page> pages = maker.pages();
-    if (!best.has_value() || pages.size() < best->second.size()) {
-      best.emplace(maker, std::move(pages));
-    }
-  }
-  return std::move(*best);
 }
 
 // KERN of the ids of pages; empty if no pair kerns or a block has no room. Sets
@@ -277,9 +227,10 @@ Bytes kerning_block(const RomContent& content,
 
 std::vector<uint8_t> write_paged_font(const RomContent& content,
                                       PartBytes& parts) {
-  auto [maker, pages] = best_pages(content);
+  const HintCode code = content.hint_code();
+  std::vector<Page> pages = PageMaker(content, code).pages();
   const size_t block = content.block_bytes;
-  const Bytes font = resident_font(content, maker);
+  const Bytes font = resident_font(content, code);
   const size_t taken = paged::kBytes + entry::kBytes + font.size();
   if (taken > paged::kMaxResidentBytes) {
     throw Error(content.name + ": the resident part takes " +
@@ -293,8 +244,8 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
                       ~(size_t{format::kAlignment} - 1);
   const size_t fan_out = block / entry::kBytes;
   const auto levels =
-      index_levels(pages, maker.slots(), room / entry::kBytes, fan_out);
-  size_t glyph_end = maker.slots();
+      index_levels(pages, kFirstGlyph, room / entry::kBytes, fan_out);
+  size_t glyph_end = kFirstGlyph;
   for (const Page& page : pages) {
     glyph_end += page.glyphs.size();
   }
@@ -322,7 +273,7 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   out[paged::kLevels] = static_cast<uint8_t>(levels.size() - 1);
   out[paged::kRoots] = static_cast<uint8_t>(levels.back().size());
   set_u16(out, paged::kPages, static_cast<unsigned>(pages.size()));
-  const Bytes kerning = kerning_block(content, pages, maker.slots(), out);
+  const Bytes kerning = kerning_block(content, pages, kFirstGlyph, out);
   out.resize(block);
   for (size_t level = levels.size() - 1; level-- != 0;) {
     for (size_t i = 0; i < levels[level].size(); ++i) {
@@ -335,7 +286,7 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   parts = PartBytes{};
   parts.header = block;
   parts.cmap = out.size() - block;
-  size_t first_glyph = maker.slots();
+  size_t first_glyph = kFirstGlyph;
   for (Page& page : pages) {
     set_u16(page.bytes, block - trailer::kBytes + trailer::kFirstGlyph,
             static_cast<unsigned>(first_glyph));

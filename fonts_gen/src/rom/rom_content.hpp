@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field/sample_tree.hpp"
-#include "hints/glyph_hints.hpp"
+#include "hints/grid_section.hpp"
 #include "inkcell/font.hpp"
 #include "outlines/minimal_outline.hpp"
 #include "source/components.hpp"
@@ -23,6 +23,7 @@ struct RomGlyph {
   MinimalOutline outline;               // without contours: none
   OutlineReferences references;         // what a record refers to instead
   std::vector<uint8_t> outline_record;  // encode_outlines() makes it
+  size_t record_bits = 0;   // of that record, with its zeros at the end
   size_t simple_bytes = 0;  // of the record that the references replace
   GlyphMetrics metrics;
 
@@ -62,6 +63,13 @@ struct RomContent {
   std::vector<RomMorph> morphs;  // ascending by first and second
   /// A block of a paged font; 0: it lies in mapped memory. [bytes]
   size_t block_bytes = 0;
+
+  /// The code of the hints: the resident part of a paged font is small.
+  HintCode hint_code() const {
+    constexpr unsigned kMostOfResident = 3;
+    return HintCode(
+        hints, block_bytes != 0 ? kMostOfResident : format::grid::kMaxCodeBits);
+  }
 };
 
 }  // namespace inkcell::gen

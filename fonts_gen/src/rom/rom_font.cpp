@@ -7,9 +7,9 @@
 #include "base/bit_table_writer.hpp"
 #include "base/byte_writer.hpp"
 #include "field/record.hpp"
-#include "hints/grid_section.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
+#include "rom/character_runs.hpp"
 #include "rom/font_sections.hpp"
 
 namespace inkcell::gen {
@@ -290,6 +290,7 @@ void set_range(Bytes& out, const RomContent& content) {
 
 std::vector<FontSection> make_sections(const RomContent& content) {
   constexpr uint32_t kNeeded = section::kMustUnderstand;
+  const HintCode hints = content.hint_code();
   std::vector<FontSection> sections;
   const auto add = [&](uint32_t tag, uint32_t must_understand, Bytes bytes,
                        size_t PartBytes::*part) {
@@ -297,13 +298,17 @@ std::vector<FontSection> make_sections(const RomContent& content) {
       sections.push_back({tag, must_understand, std::move(bytes), part});
     }
   };
-  add(section::kCmap, kNeeded, cmap_section(content), &PartBytes::cmap);
+  const CharacterRuns runs(content.glyph_of);
+  add(section::kCmap, kNeeded, runs.cmap_section(), &PartBytes::cmap);
+  add(section::kCodePages, kNeeded, runs.code_pages_section(),
+      &PartBytes::cmap);
   add(section::kMetrics, kNeeded, metrics_section(content),
       &PartBytes::metrics);
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
-  add(section::kGrid, 0, grid_section(content.hints), &PartBytes::hints);
+  add(section::kGrid, 0, hints.section(), &PartBytes::hints);
   add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
-  add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::glyphs);
+  add(section::kGlyphs, kNeeded, glyphs_section(content, hints),
+      &PartBytes::glyphs);
   add(section::kMorphs, 0, morphs_section(content), &PartBytes::morphs);
   add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;
@@ -324,67 +329,60 @@ uint32_t crc32(const uint8_t* data, size_t size, uint32_t crc) {
   return ~crc;
 }
 
-// Consecutive code points on consecutive glyphs become one entry.
-Bytes cmap_section(const RomContent& content) {
-  struct Entry {
-    char32_t first;
-    uint32_t extra;
-    uint32_t glyph;
-  };
-  std::vector<Entry> entries;
-  for (const auto& [code_point, glyph] : content.glyph_of) {
-    if (!entries.empty()) {
-      Entry& last = entries.back();
-      const uint32_t step = last.extra + 1;
-      if (code_point == last.first + step && glyph == last.glyph + step &&
-          step <= 0xffff) {
-        last.extra = step;
-        continue;
-      }
-    }
-    entries.push_back({code_point, 0, glyph});
-  }
-  Bytes out;
-  for (const Entry& entry : entries) {
-    put_u32(out, entry.first);
-    put_u16(out, entry.extra);
-    put_u16(out, entry.glyph);
-  }
-  return out;
-}
-
 Bytes metrics_section(const RomContent& content) {
-  MetricsRow least = metrics_row(content.glyphs[0].metrics);
-  MetricsRow most = least;
-  for (const RomGlyph& glyph : content.glyphs) {
+  const std::vector<RomGlyph>& glyphs = content.glyphs;
+  // Those from there on have the advance of the last glyph.
+  size_t advances = glyphs.size();
+  while (advances != 0 && glyphs[advances - 1].metrics.advance ==
+                              glyphs.back().metrics.advance) {
+    --advances;
+  }
+  MetricsRow least = metrics_row(glyphs[0].metrics);
+  for (const RomGlyph& glyph : glyphs) {
     const MetricsRow row = metrics_row(glyph.metrics);
     for (size_t i = 0; i < row.size(); ++i) {
       least[i] = std::min(least[i], row[i]);
-      most[i] = std::max(most[i], row[i]);
+    }
+  }
+  // Rows of few glyphs alone are worth more bits of those before them.
+  constexpr size_t kLeastAlone = 16;
+  if (glyphs.size() - advances < kLeastAlone && advances != 0) {
+    advances = glyphs.size();
+  } else {
+    least[0] = glyphs.back().metrics.advance;
+  }
+  std::array<unsigned, format::metrics::kColumns> widths = {};
+  const auto number = [&](size_t glyph, size_t i) {
+    return static_cast<uint32_t>(metrics_row(glyphs[glyph].metrics)[i] -
+                                 least[i]) &
+           0xffff;
+  };
+  for (size_t glyph = 0; glyph < glyphs.size(); ++glyph) {
+    for (size_t i = 0; i < widths.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(number(glyph, i)));
     }
   }
   Bytes out;
   for (const int base : least) {
     put_i16(out, base);
   }
-  for (size_t i = 0; i < least.size(); ++i) {
-    put_u8(out, width_of(static_cast<uint32_t>(most[i] - least[i])));
+  put_u16(out, static_cast<unsigned>(advances));
+  for (const unsigned width : widths) {
+    put_u8(out, width);
   }
   BitTableWriter table(out);
-  for (const RomGlyph& glyph : content.glyphs) {
-    const MetricsRow row = metrics_row(glyph.metrics);
-    for (size_t i = 0; i < row.size(); ++i) {
-      table.put(static_cast<uint32_t>(row[i] - least[i]),
-                width_of(static_cast<uint32_t>(most[i] - least[i])));
+  for (size_t glyph = 0; glyph < glyphs.size(); ++glyph) {
+    for (size_t i = glyph < advances ? 0 : 1; i < widths.size(); ++i) {
+      table.put(number(glyph, i), widths[i]);
     }
   }
   return out;
 }
 
-Bytes glyphs_section(const RomContent& content) {
+Bytes glyphs_section(const RomContent& content, const HintCode& code) {
   std::vector<Bytes> records;
-  for (const RomGlyph& glyph : content.glyphs) {
-    records.push_back(glyph_record(glyph));
+  for (size_t i = 0; i < content.glyphs.size(); ++i) {
+    records.push_back(hinted_record(content, i, code));
   }
   const OffsetUnits units = offset_units(content, records);
   Bytes out;
@@ -426,10 +424,26 @@ std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   return glyph.field.tiles_x == 0 ? Bytes() : field_record(glyph.field);
 }
 
+std::vector<uint8_t> hinted_record(const RomContent& content,
+                                   size_t i,
+                                   const HintCode& code) {
+  const RomGlyph& glyph = content.glyphs[i];
+  Bytes record = glyph_record(glyph);
+  if (record.empty() || content.hints.empty()) {
+    return record;
+  }
+  const HintBits bits = code.bits(content.hints.glyphs[i]);
+  record.resize((glyph.record_bits + bits.size() + 7) / 8);
+  for (size_t bit = 0; bit < bits.size(); ++bit) {
+    uint8_t& byte = record[record.size() - 1 - bit / 8];
+    byte = static_cast<uint8_t>(byte | (bits[bit] ? 1u : 0u) << bit % 8);
+  }
+  return record;
+}
+
 std::vector<uint8_t> assemble_font(const RomContent& content,
                                    size_t glyph_count,
                                    const std::vector<FontSection>& sections,
-                                   size_t zeros,
                                    PartBytes& parts) {
   const size_t header_bytes =
       header::kBytes + section::kBytes * sections.size();
@@ -448,18 +462,16 @@ std::vector<uint8_t> assemble_font(const RomContent& content,
   size_t entry = header::kBytes;
   for (const FontSection& part : sections) {
     const size_t begin = out.size();
-    const bool is_last = &part == &sections.back();
     set_u32(out, entry + section::kTag, part.tag);
     set_u32(out, entry + section::kOffset,
             static_cast<uint32_t>(begin) | part.must_understand);
     set_u32(out, entry + section::kSize,
-            static_cast<uint32_t>(part.bytes.size() + (is_last ? zeros : 0)));
+            static_cast<uint32_t>(part.bytes.size()));
     entry += section::kBytes;
     out.insert(out.end(), part.bytes.begin(), part.bytes.end());
     pad(out, kAlignmentLog2);
     parts.*part.part += out.size() - begin;
   }
-  out.resize(out.size() + zeros);
   // The last thing that is written: the header's checksum covers the others.
   set_u32(out, header::kTotalBytes, static_cast<uint32_t>(out.size()));
   set_u32(out, header::kContentCrc,
@@ -468,14 +480,13 @@ std::vector<uint8_t> assemble_font(const RomContent& content,
   set_u32(out, header::kHeaderCrc,
           crc32(out.data() + header::kContentCrc,
                 header_bytes - header::kContentCrc, before));
-  out.resize(out.size() - zeros);
   return out;
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,
                                     PartBytes& parts) {
   return assemble_font(content, content.glyphs.size(), make_sections(content),
-                       0, parts);
+                       parts);
 }
 
 }  // namespace inkcell::gen

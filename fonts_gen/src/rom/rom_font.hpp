@@ -15,14 +15,13 @@ struct PartBytes {
   size_t cmap = 0;
   size_t metrics = 0;
   size_t kerning = 0;
-  size_t hints = 0;
+  size_t hints = 0;  // the section; those of glyphs are part of their records
   size_t morphs = 0;
   size_t glyphs = 0;  // records and offsets; of outlines the code table, too
   size_t name = 0;
 
   size_t total() const {
-    return header + cmap + metrics + kerning + hints + morphs + glyphs +
-           name;
+    return header + cmap + metrics + kerning + hints + morphs + glyphs + name;
   }
 };
 
@@ -32,9 +31,15 @@ struct PartBytes {
 std::vector<uint8_t> write_rom_font(const RomContent& content,
                                     PartBytes& parts);
 
-/// The record of a glyph, without padding. Empty for a glyph without ink.
+/// The record of a glyph, without padding and hints. Empty for a glyph without
+/// ink.
 ///
 /// Throws GeometryError::too_complex if it does not fit the format.
 std::vector<uint8_t> glyph_record(const RomGlyph& glyph);
+
+/// The same with the hints that the font has for glyph `i`.
+std::vector<uint8_t> hinted_record(const RomContent& content,
+                                   size_t i,
+                                   const HintCode& code);
 
 }  // namespace inkcell::gen

@@ -47,7 +47,7 @@ namespace trailer {
 inline constexpr uint32_t kFirstGlyph = 0;  // u16
 inline constexpr uint32_t kGlyphs = 2;      // u8
 inline constexpr uint32_t kRuns = 3;        // u8
-inline constexpr uint32_t kMetrics = 4;     // u16
+inline constexpr uint32_t kReserved = 4;    // u16, 0
 inline constexpr uint32_t kRecords = 6;     // u16
 inline constexpr uint32_t kBytes = 8;
 }  // namespace trailer

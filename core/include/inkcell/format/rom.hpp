@@ -84,6 +84,7 @@ inline constexpr uint32_t kMustUnderstand = 1;
 inline constexpr uint32_t kOffsetMask = ~uint32_t{3};
 
 inline constexpr uint32_t kCmap = tag('C', 'M', 'A', 'P');
+inline constexpr uint32_t kCodePages = tag('C', 'P', 'A', 'G');
 inline constexpr uint32_t kMetrics = tag('M', 'E', 'T', 'R');
 inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
 inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
@@ -101,6 +102,17 @@ inline constexpr uint32_t kFirstGlyph = 6;  // u16
 inline constexpr uint32_t kBytes = 8;
 }  // namespace cmap
 
+// CPAG: code points on consecutive glyphs, by pages of 256. After the header
+// the starts of the pages and an end, u16 from the section's start, then the
+// low byte of each code point. Its glyph is the base plus its place, modulo
+// 2^16.
+namespace code_pages {
+inline constexpr uint32_t kFirstPage = 0;  // u16
+inline constexpr uint32_t kPages = 2;      // u16
+inline constexpr uint32_t kGlyphBase = 4;  // u16
+inline constexpr uint32_t kBytes = 6;
+}  // namespace code_pages
+
 // METR, KERN and GLYF hold bit tables: rows of numbers of stated widths without
 // gaps, the first in the lowest bits of the first byte.
 namespace bit_table {
@@ -108,14 +120,16 @@ inline constexpr uint32_t kMaxBits = 25;  // of a number: it spans four bytes
 }  // namespace bit_table
 
 // METR: after the header a bit table with a row for each glyph: advance, then
-// x_min, y_min, x_max and y_max of the box of its ink. A number is its column's
-// base plus what the row holds, modulo 2^16: u16 for the advance, i16 for the
-// others, all in font units.
+// x_min, y_min, x_max and y_max of the box of its ink. Only the rows of the
+// first glyphs have an advance. A number is its column's base plus what the row
+// holds, modulo 2^16: u16 for the advance, i16 for the others, all in font
+// units.
 namespace metrics {
 inline constexpr uint32_t kColumns = 5;
 inline constexpr uint32_t kBase = 0;         // u16 of each column
-inline constexpr uint32_t kColumnBits = 10;  // u8 of each column, 0..16
-inline constexpr uint32_t kBytes = 15;
+inline constexpr uint32_t kAdvances = 10;    // u16, rows with an advance
+inline constexpr uint32_t kColumnBits = 12;  // u8 of each column, 0..16
+inline constexpr uint32_t kBytes = 17;
 inline constexpr uint32_t kMaxBits = 16;
 }  // namespace metrics
 
@@ -145,22 +159,22 @@ inline constexpr uint32_t kMaxPairs = (1u << 22) - 1;
 }  // namespace kerning
 
 // GRID: how outlines are fitted to the grid of pixels. After the header the
-// zones; a bit table of glyph_count + 1 offsets from its own end, in bytes; and
-// the records, sequences of bits from the highest of a byte to its lowest:
-//   symmetric (1 bit), has insets (1), heights (4), across (3), [left inset,
-//   right inset], heights, ascending, and what lies across, from the left
-// A glyph whose offset is that of the next has no hints.
+// zones, then tables of code words. The hints of a glyph are the last bits of
+// its record in GLYF, read from the last byte to the first, each byte from its
+// lowest bit on: a head, [left inset, right inset], heights, ascending, and
+// stems, from the left.
 namespace grid {
-inline constexpr uint32_t kZones = 0;       // u8, 0..8
-inline constexpr uint32_t kFlags = 1;       // u8
-inline constexpr uint32_t kStemWidth = 2;   // u8 [u], of most stems; 0: none
-inline constexpr uint32_t kBarWidth = 3;    // u8 [u], of most bars; 0: none
-inline constexpr uint32_t kXZone = 4;       // u8, zone of the x-height
-inline constexpr uint32_t kOffsetBits = 5;  // u8, 0..20
-inline constexpr uint32_t kReserved = 6;    // u16, 0
+inline constexpr uint32_t kZones = 0;      // u8, 0..8
+inline constexpr uint32_t kFlags = 1;      // u8
+inline constexpr uint32_t kStemWidth = 2;  // u8 [u], of most stems; 0: none
+inline constexpr uint32_t kBarWidth = 3;   // u8 [u], of most bars; 0: none
+inline constexpr uint32_t kXZone = 4;      // u8, zone of the x-height
+inline constexpr uint32_t kCodeBits = 5;   // u8, 0..7
+inline constexpr uint32_t kFirstY = 6;     // u8, before the first height
+inline constexpr uint32_t kFirstX = 7;     // u8, before the first stem
 inline constexpr uint32_t kBytes = 8;
 inline constexpr uint32_t kMaxZones = 8;
-inline constexpr uint32_t kMaxOffsetBits = 20;
+inline constexpr uint32_t kMaxCodeBits = 7;
 
 // Flags.
 inline constexpr uint32_t kContrast = 1;  // bars are thinner than 3/4 stem
@@ -175,16 +189,35 @@ inline constexpr uint32_t kZoneFlags = 3;      // u8
 inline constexpr uint32_t kZoneBytes = 4;
 inline constexpr uint32_t kTopZone = 1;  // ink is below it
 
-// Widths of a record's numbers. [bits]
-inline constexpr int kHeightCountBits = 4;
-inline constexpr int kAcrossCountBits = 3;
-inline constexpr int kInsetBits = 6;      // [2 u]
-inline constexpr int kPositionBits = 10;  // n: 2 n - 512 u
-inline constexpr int kWidthBits = 7;      // [2 u]
-inline constexpr int kZoneBits = 3;
-inline constexpr int kHeightKindBits = 2;
-inline constexpr int kPositionStep = 2;     // [u]
-inline constexpr int kPositionBase = -512;  // [u]
+// Tables of code words behind the zones, each of 2^code_bits u16. A word
+// stands for the numbers from its base on that its extra bits count.
+inline constexpr uint32_t kHeads = 0;
+inline constexpr uint32_t kHeights = 1;
+inline constexpr uint32_t kGapsY = 2;
+inline constexpr uint32_t kWidthsY = 3;
+inline constexpr uint32_t kGapsX = 4;
+inline constexpr uint32_t kWidthsX = 5;
+inline constexpr uint32_t kTables = 6;
+inline constexpr uint32_t kLengthMask = 7;  // of the word, 0..7
+inline constexpr uint32_t kExtraShift = 3;  // bits that follow, 0..15
+inline constexpr uint32_t kExtraMask = 15;
+inline constexpr uint32_t kBaseShift = 7;  // 0..511
+inline constexpr uint32_t kMaxBase = 511;
+
+// A head: how many heights and stems follow, and flags.
+inline constexpr uint32_t kStemCountMask = 7;
+inline constexpr uint32_t kHeightCountShift = 3;
+inline constexpr uint32_t kHeightCountMask = 15;
+inline constexpr uint32_t kHasInsets = 0x80;
+inline constexpr uint32_t kSymmetric = 0x100;
+
+// A height: its kind, which edge, its zone, and whether that edge is round.
+inline constexpr uint32_t kRound = 1;
+inline constexpr uint32_t kZoneShift = 1;  // 0: none, 1: zone 0
+inline constexpr uint32_t kZoneMask = 15;
+inline constexpr uint32_t kTop = 0x20;
+inline constexpr uint32_t kKindShift = 6;
+inline constexpr uint32_t kKindMask = 3;
 
 // Kinds of heights.
 inline constexpr uint32_t kBar = 0;
@@ -192,9 +225,13 @@ inline constexpr uint32_t kSerif = 1;
 inline constexpr uint32_t kLoneEdge = 2;
 inline constexpr uint32_t kFreeEnd = 3;
 
-// Kinds of what lies across.
-inline constexpr uint32_t kStem = 0;
-inline constexpr uint32_t kFoot = 1;
+// Numbers.
+inline constexpr int kInsetBits = 6;             // [2 u]
+inline constexpr uint32_t kPositionMask = 1023;  // n: 2 n - 512 u
+inline constexpr uint32_t kFirstShift = 2;       // of kFirstY and kFirstX
+inline constexpr uint32_t kWidthMask = 127;      // [2 u]; 0: the usual one
+inline constexpr int kPositionStep = 2;          // [u]
+inline constexpr int kPositionBase = -512;       // [u]
 
 /// Knots of a fitted map.
 inline constexpr uint32_t kMaxKnots = 14;

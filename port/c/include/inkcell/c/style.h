@@ -62,7 +62,7 @@ inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
 
 /// A font's hints at one size. Opaque. Empty, it moves nothing.
 typedef struct INKCELL_SHARED inkcell_fit_t {
-  const void* words[3];
+  const void* words[1];
   uint32_t numbers[17];
 } inkcell_fit_t;
 
