@@ -63,14 +63,14 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
   uint32_t id = find_run(code_point);
   if (id >= glyph_count_) {
     id = find_on_page(code_point);
+    if (id >= glyph_count_) {
+      glyph = 0;
+      return is_paged_ != 0 ? pages().glyph_of(pages(), code_point, glyph)
+                            : Status::no_glyph;
+    }
   }
-  if (id < glyph_count_) {
-    glyph = static_cast<uint16_t>(id);
-    return Status::ok;
-  }
-  glyph = 0;
-  return is_paged_ != 0 ? pages().glyph_of(pages(), code_point, glyph)
-                        : Status::no_glyph;
+  glyph = static_cast<uint16_t>(id);
+  return Status::ok;
 }
 
 }  // namespace inkcell

@@ -137,13 +137,13 @@ YHint GlyphHints::next_y() noexcept {
   hint.is_top = (what & grid::kTop) != 0;
   hint.is_round = (what & grid::kRound) != 0;
   const bool is_stroke = hint.kind <= YHint::serif;
-  const uint32_t zone = (what >> grid::kZoneShift & grid::kZoneMask) - 1;
-  hint.zone = static_cast<uint8_t>(zone);  // kNoZone is -1
+  const uint32_t zone = what >> grid::kZoneShift & grid::kZoneMask;
+  hint.zone = static_cast<uint8_t>(zone - 1);  // kNoZone is -1
   int32_t at_u = 0;
-  if (hint.zone == YHint::kNoZone) {
+  if (zone == 0) {
     at_u = position_u((y_at_ + take(grid::kGapsY)) & grid::kPositionMask);
-  } else if (zone < hints_.zone_count()) {
-    const GridZone read = hints_.zone(zone);
+  } else if (zone <= hints_.zone_count()) {
+    const GridZone read = hints_.zone(zone - 1);
     at_u = read.flat_u + (hint.is_round ? read.overshoot_u : 0);
     hint.is_top = is_stroke ? hint.is_top : read.is_top;
   }
