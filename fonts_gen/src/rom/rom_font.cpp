@@ -485,8 +485,17 @@ std::vector<uint8_t> assemble_font(const RomContent& content,
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,
                                     PartBytes& parts) {
-  return assemble_font(content, content.glyphs.size(), make_sections(content),
-                       parts);
+  Bytes font = assemble_font(content, content.glyphs.size(),
+                             make_sections(content), parts);
+  const HintCode code = content.hint_code();
+  size_t bits = 0;
+  for (size_t i = 0; i < content.hints.glyphs.size(); ++i) {
+    const bool has_record = !content.glyphs[i].outline_record.empty();
+    bits += has_record ? code.bits(content.hints.glyphs[i]).size() : 0;
+  }
+  parts.hints += bits / 8;
+  parts.glyphs -= bits / 8;
+  return font;
 }
 
 }  // namespace inkcell::gen

@@ -15,7 +15,7 @@ struct PartBytes {
   size_t cmap = 0;
   size_t metrics = 0;
   size_t kerning = 0;
-  size_t hints = 0;  // the section; those of glyphs are part of their records
+  size_t hints = 0;  // also those at the end of records
   size_t morphs = 0;
   size_t glyphs = 0;  // records and offsets; of outlines the code table, too
   size_t name = 0;
