@@ -228,6 +228,8 @@ class Font {
   uint16_t metrics_row_bits_ = 0;
   // See pages(); no bytes of a font can say so. As wide as its place.
   uint16_t is_paged_ = 0;
+  // Last: the smallest cores reach fewer places of numbers of 16 bits.
+  Span<const uint8_t> code_pages_;
 };
 
 inline const detail::OutlineCoding& detail::outline_coding(

@@ -5,8 +5,6 @@
 
 namespace inkcell {
 
-namespace section = format::section;
-
 using detail::load_u16;
 using detail::load_u32;
 
@@ -39,7 +37,7 @@ inline uint32_t Font::find_run(uint32_t code_point) const noexcept {
 // The same by CPAG.
 inline uint32_t Font::find_on_page(uint32_t code_point) const noexcept {
   namespace pages = format::code_pages;
-  const Span<const uint8_t> table = section(section::kCodePages);
+  const Span<const uint8_t>& table = code_pages_;
   if (table.size < pages::kBytes) {
     return UINT32_MAX;
   }

@@ -23,8 +23,8 @@ constexpr uint32_t kMaxSections = 32;
 // The sections that are known: first those that a font keeps, in its order,
 // then CODE.
 constexpr uint32_t kKnownTags[] = {
-    section::kCmap, section::kMetrics, section::kGlyphs,   section::kKerning,
-    section::kCode, section::kName,    section::kCodePages};
+    section::kCmap,      section::kMetrics, section::kGlyphs, section::kKerning,
+    section::kCodePages, section::kCode,    section::kName};
 constexpr uint32_t kKnown = sizeof kKnownTags / sizeof kKnownTags[0];
 
 // What the rest of `open` needs of a header that it has checked. Read once:
@@ -170,8 +170,10 @@ inline Status Font::open_tables(uint32_t sections) noexcept {
       return Status::unsupported;
     }
     // If two have the same tag the first one counts.
-    Span<const uint8_t>& table = known < kTables ? tables_[known] : code;
-    if (known <= kTables && table.data == nullptr) {
+    Span<const uint8_t>& table = known < kTables    ? tables_[known]
+                                 : known == kTables ? code_pages_
+                                                    : code;
+    if (known <= kTables + 1 && table.data == nullptr) {
       table = bytes;
     }
   }

@@ -250,7 +250,7 @@ Status Font::verify() const noexcept {
       detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
       !cmap_fits(cmap_table(), glyph_count_) ||
-      !code_pages_fit(section(format::section::kCodePages), glyph_count_) ||
+      !code_pages_fit(code_pages_, glyph_count_) ||
       !metrics_fit(metrics_table(), glyph_count_) ||
       (kerning_table().size != 0 &&
        !KerningCheck().fits(kerning_table(), glyph_count_)) ||
