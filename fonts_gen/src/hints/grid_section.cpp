@@ -218,6 +218,9 @@ NumberCode::NumberCode(const std::map<uint32_t, uint64_t>& counts,
   for (size_t count = 1; count <= search.most_words(); ++count) {
     std::vector<uint64_t> weights;
     std::vector<NumberWord> words = search.words(count, weights);
+    if (words.empty()) {
+      continue;
+    }
     if (count > 1) {
       const std::vector<int> lengths =
           limited_lengths(weights, static_cast<int>(code_bits));
@@ -229,7 +232,7 @@ NumberCode::NumberCode(const std::map<uint32_t, uint64_t>& counts,
     for (size_t i = 0; i < words.size(); ++i) {
       bits += weights[i] * (words[i].length + words[i].extra);
     }
-    if (!words.empty() && bits < total_bits_) {
+    if (bits < total_bits_) {
       total_bits_ = bits;
       words_ = std::move(words);
     }
