@@ -66,6 +66,7 @@ GENERATOR = {
 
 # Sources of core that are a part of a public header, linked apart.
 OF_OTHER_HEADERS = {
+    "core/src/font/code_points.cpp": "inkcell/font.hpp",
     "core/src/verify/verify.cpp": "inkcell/font.hpp",
 }
 

@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
@@ -89,19 +88,12 @@ class GlyphHints {
   GlyphHints(const GridHints& hints,
              const Span<const uint8_t>& record) noexcept;
 
-  bool is_symmetric() const noexcept {
-    return (head_ & format::grid::kSymmetric) != 0;
-  }
+  bool is_symmetric() const noexcept { return (head_ & kSymmetric) != 0; }
   /// How much narrower the ink is on either side without serifs. [u]
   int32_t left_inset_u() const noexcept { return left_inset_u_; }
   int32_t right_inset_u() const noexcept { return right_inset_u_; }
-  uint32_t y_count() const noexcept {
-    return head_ >> format::grid::kHeightCountShift &
-           format::grid::kHeightCountMask;
-  }
-  uint32_t x_count() const noexcept {
-    return head_ & format::grid::kStemCountMask;
-  }
+  uint32_t y_count() const noexcept { return head_ >> kYShift & kMostY; }
+  uint32_t x_count() const noexcept { return head_ & kMostX; }
 
   /// At most as often as the counts say.
   YHint next_y() noexcept;
@@ -111,6 +103,9 @@ class GlyphHints {
   uint32_t bits() const noexcept { return bit_; }
 
  private:
+  static constexpr uint32_t kYShift = 3;
+  static constexpr uint32_t kSymmetric = 0x100;
+
   uint32_t window() const noexcept;
   uint32_t take(uint32_t table) noexcept;
   int32_t take_width(uint32_t table, bool& is_standard) noexcept;
@@ -121,7 +116,7 @@ class GlyphHints {
   uint32_t bit_ = 0;   // the next one, from the end
   uint32_t y_at_ = 0;  // where the last one ended [2 u]
   uint32_t x_at_ = 0;
-  uint32_t head_ = 0;
+  uint32_t head_ = 0;  // as format::grid has it
   uint8_t left_inset_u_ = 0;
   uint8_t right_inset_u_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "outlines/outline_code.hpp"
+#include "base/code_lengths.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -78,13 +78,6 @@ class StepCounts {
   std::array<ClassCounts, kStepClasses> after_;
 };
 
-/// The lengths of a prefix code with the fewest bits and words of at most
-/// `most` bits (package-merge). A count of 0 counts as 1. A single symbol gets
-/// a word of one bit; two or more make the code complete.
-///
-/// `counts` has at most 2^most entries.
-std::vector<int> limited_lengths(const std::vector<uint64_t>& counts, int most);
-
 /// Complete prefix codes, one a table. The word of `end` is all zeros.
 class OutlineCode {
  public:
@@ -134,9 +127,6 @@ class OutlineCode {
 /// tables must save a twentieth, as they cost instructions.
 OutlineCode make_outline_code(const StepCounts& counts,
                               size_t most_entries = 1024);
-
-/// n log2(n) [Q8], in integers so that all machines agree.
-uint64_t n_log_n_q8(uint64_t n);
 
 /// A code for all possible steps, without a search: for trials, whose picture
 /// does not depend on the code.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/code_lengths.hpp"
 #include "outlines/outline_steps.hpp"
 
 namespace inkcell::gen {
