@@ -167,7 +167,16 @@ class ShapeTool : public LineTool {
                                                           : ellipse(a_, b_))
                             : Value());
   }
-  void finish(Editor& editor) override { editor.commit(); }
+  // What was drawn is selected.
+  void finish(Editor& editor) override {
+    const size_t before =
+        editor.project().find(editor.glyph_name())->contours.size();
+    editor.commit();
+    if (editor.glyph()->contours.size() > before) {
+      editor.select_nothing();
+      editor.select_contour(before);
+    }
+  }
 
   ToolKind kind_;
 };

@@ -164,7 +164,7 @@ void draw_preview_panel(Panels& panels) {
   tooltip("Drag to the sides to change the size");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputText("##text", &settings.text);
+  ImGui::InputText("##text", &settings.text, ImGuiInputTextFlags_AutoSelectAll);
   tooltip("The text of the lines below");
   if (panels.preview == nullptr) {
     ImGui::TextDisabled(panels.preview_is_busy ? "Drawing..." : "");
