@@ -50,6 +50,13 @@ END
 "$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
 "$tools/simulator/inkcell-simulator" --display grey4 --size 128x64 --px 40 \
   --text Rag --hint vertical --overlay on --screenshot docs/img/simulator.png
+# Eight letters made by the steps of the window's test, and an OLED with them.
+python3 -B tests/design/check_window.py "$tools/design/editor/inkcell-editor" \
+  --letters "$folder"
+cp "$folder/letters.png" docs/img/letters.png
+"$tools/simulator/inkcell-simulator" --font "$folder/Letters.ttf" \
+  --board lm3s6965evb_grey4 --text "hound blind" --px 22 \
+  --screenshot docs/img/letters_oled.png
 # Text drawn by LVGL, if the build has it (tests/lvgl).
 shots=$tools/../tests/lvgl/inkcell_lvgl_shots
 if [ -x "$shots" ]; then

@@ -1,13 +1,17 @@
 """Works in inkcell-editor's window with a pointer and keys, in Xvfb, and
 compares each picture, byte for byte, with that of a script doing the same.
 
-Usage: check_window.py INKCELL_EDITOR
+Usage: check_window.py INKCELL_EDITOR [--letters FOLDER]
+
+With --letters it writes only the font of eight letters, Letters.ttf, and
+letters.png, the window with it.
 """
 import json
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from xvfb import Display, wait
@@ -20,7 +24,13 @@ CANVAS = 284, 23          # upper left corner, at scale 1
 REST = 600, 850           # a place of the canvas where nothing is [px]
 MONO = 1100, 44           # the button of the display of 1 bit [px]
 SIZE = 1140, 74           # the field of the glyph's size [px]
+TEXT = 1300, 74           # the field of the preview's text [px]
+OPERATOR = 1120, 703      # the field of a tree's operator [px]
+BLEND = 1120, 826         # its item Blend [px]
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
+
+
+WAIT = ("wait",)          # until a dialog or a list takes keys
 
 
 def run_script(folder, *lines, scale=1):
@@ -83,6 +93,96 @@ class Session:
         return run_script(folder, *lines, *self.font)
 
 
+class Letters(Session):
+    """A font of eight letters from nothing: i and l of boxes and curves, o of
+    two ellipses, n, u and h of strokes, b and d of others, blended."""
+
+    NAME = "Letters.ufo"
+    CHARS = "0x20,b,d,h,i,l,n,o,u"  # in the order of the font
+    TEXT = "hound blind"
+
+    def __init__(self, font):
+        super().__init__(font)
+        self.opening = [f"new {self.NAME} {self.CHARS} Untitled 1000 800 -200 "
+                        "500 700", "screenshot 0.ppm"]
+        self.shown = "b"
+
+    def report(self):
+        """The glyph after all steps so far."""
+        lines = list(self.opening)  # with a picture, which sizes the canvas
+        for _, more, _ in self.steps:
+            lines += more
+        with tempfile.TemporaryDirectory() as folder:
+            return run_script(folder, *lines, "print")[-1]
+
+    def go_to(self, glyph):
+        order = self.CHARS.split(",")
+        by = order.index(glyph) - order.index(self.shown)
+        self.shown = glyph
+        key, line = ("Next", "pagedown") if by > 0 else ("Prior", "pageup")
+        self.add(f"to {glyph}", [f"key {line}"] * abs(by),
+                 *[("key", key)] * abs(by))
+
+    def draw(self, tool, *places):
+        self.key(f"tool {tool}", tool, tool)
+        self.drag(f"{self.shown}: {tool}", self.view, places)
+
+    def add_part(self, base):
+        self.add(f"{self.shown}: part {base}",
+                 [f'do {{"do": "add_component", "base": "{base}"}}'],
+                 ("key", "ctrl+shift+c"), WAIT, ("type", base),
+                 ("key", "Return"))
+
+    def blend(self, *bases):
+        for base in bases:
+            self.add_part(base)
+        self.key("combine", "ctrl+shift+u", "ctrl+shift+u")
+        tree = {"op": "blend", "radius": 60,
+                "parts": [{"glyph": base, "matrix": [1, 0, 0, 1, 0, 0]}
+                          for base in bases]}
+        self.add("blend", [f'do {json.dumps({"do": "set_tree", "tree": tree})}'],
+                 ("mousemove", *OPERATOR), ("click", 1), WAIT,
+                 ("mousemove", *BLEND), ("click", 1))
+
+    def make(self):
+        self.view = self.report()
+        self.add("text", [f"text {self.TEXT}", "hover -9e4 -9e4"],
+                 ("mousemove", *TEXT), ("click", 1), WAIT,
+                 ("type", self.TEXT), ("key", "Return"), ("mousemove", *REST))
+        self.go_to("l")
+        self.draw("r", (80, 0), (120, 500), (160, 700))
+        self.go_to("i")
+        self.draw("r", (80, 0), (160, 500))
+        self.draw("o", (65, 590), (175, 700))
+        self.go_to("o")
+        self.draw("o", (50, -10), (550, 510))
+        self.draw("o", (132, 65), (468, 435))
+        self.key("a hole", "ctrl+shift+d", "ctrl+shift+d")
+        self.go_to("n")
+        arch = [(120, 300), (150, 400), (210, 455), (290, 470), (370, 450),
+                (420, 390), (440, 300), (440, 20)]
+        self.draw("b", (120, 480), (120, 250), (120, 20))
+        self.draw("b", *arch)
+        self.go_to("u")
+        self.draw("b", *((560 - x, 500 - y) for x, y in arch))
+        self.draw("b", (440, 480), (440, 250), (440, 20))
+        self.go_to("h")
+        self.draw("b", (120, 680), (120, 250), (120, 20))
+        self.draw("b", *arch)
+        self.go_to("b")
+        self.blend("l", "o")
+        self.draw("v", (120, 600), (100, 600), (60, 600))
+        self.go_to("d")
+        self.blend("l", "o")
+        self.draw("v", (120, 600), (300, 600), (500, 600))
+        self.key("spacing", "t", "t")
+        line = self.report()
+        self.drag("kerning", line, [(900, 250), (880, 250), (860, 250)])
+        for letter, edge in (("l", 4418), ("i", 4668)):
+            self.drag(f"right of {letter}", line, [(edge - 10, 250),
+                                                   (edge - 360, 250)])
+
+
 class Window:
     def __init__(self, display, folder, *arguments):
         self.display = display
@@ -90,6 +190,34 @@ class Window:
                                         env=display.environment)
         display.send("mousemove", *REST)
         display.focus("Inkcell")
+
+    def send(self, *event):
+        if event == WAIT:
+            wait(lambda: self.display.pixels() != self.before,
+                 "nothing opens")
+            time.sleep(0.3)
+            return
+        self.before = self.display.pixels()
+        self.display.send(*event)
+
+    def play(self, session, folder):
+        """The steps of a session, each compared with its picture."""
+        self.wait_for(picture(folder / "0.ppm"), "opened")
+        for i, (name, _, events) in enumerate(session.steps):
+            for event in events:
+                self.send(*event)
+            self.wait_for(picture(folder / f"{i + 1}.ppm"), name)
+
+    def new_font(self, name, chars):
+        """Answers the dialog New font; Tab goes from field to field."""
+        self.display.send("key", "ctrl+n")
+        wait(lambda: SELECTED_TEXT in self.display.pixels(),
+             "the name that New font proposes is not selected")
+        self.display.send("type", name)
+        for _ in range(7):
+            self.display.send("key", "Tab")
+        self.display.send("type", chars)
+        self.display.send("key", "Return")
 
     def wait_for(self, expected, name):
         """Until the screen is this picture."""
@@ -166,11 +294,7 @@ class WindowTest(unittest.TestCase):
         steps.key("save", "ctrl+s", "ctrl+s")
         steps.run_script(self.scripted)
         window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS)
-        window.wait_for(picture(self.scripted / "0.ppm"), "opened")
-        for i, (name, _, events) in enumerate(steps.steps):
-            for event in events:
-                self.display.send(*event)
-            window.wait_for(picture(self.scripted / f"{i + 1}.ppm"), name)
+        window.play(steps, self.scripted)
         for name in ("Mine.ttf", "Mine.bin"):
             window.export(self.live, name)
             self.assertEqual((self.live / name).read_bytes(),
@@ -247,6 +371,18 @@ class WindowTest(unittest.TestCase):
         self.assertEqual(report["contours"], expected["contours"])
         self.assertNotEqual(report["contours"], letter["contours"])
 
+    def test_eight_letters_are_made_from_nothing(self):
+        letters = Letters(["save"])
+        letters.make()
+        letters.run_script(self.scripted)
+        window = self.start()
+        window.new_font(letters.NAME, letters.CHARS)
+        window.play(letters, self.scripted)
+        send = self.display.send
+        send("key", "ctrl+s")
+        kerning = self.live / letters.NAME / "kerning.plist"
+        wait(kerning.exists, "the kerning is not saved")
+
     def test_widgets_are_scaled(self):
         run_script(self.scripted, f"open {FONT} P.ufo {CHARS}",
                    "screenshot 2.ppm", scale=2)
@@ -255,5 +391,17 @@ class WindowTest(unittest.TestCase):
         window.wait_for(picture(self.scripted / "2.ppm"), "at scale 2")
 
 
+def draw_letters(folder):
+    """The font of eight letters, and the window with it, in a folder."""
+    letters = Letters([])
+    letters.make()
+    lines = [line for _, more, _ in letters.steps for line in more]
+    run_script(folder, *letters.opening, *lines, "save",
+               "screenshot letters.png", "export Letters.ttf")
+
+
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    if len(sys.argv) == 4 and sys.argv[2] == "--letters":
+        draw_letters(sys.argv[3])
+    else:
+        unittest.main(argv=sys.argv[:1])
