@@ -3,7 +3,7 @@ import {$, addCopy, bytesOf, copyLink, restore, sizesOf} from './dom.mjs';
 import {Generator} from './generator.mjs';
 import {argumentsOf, charactersOf, faceNames, isFont, isIcon, withoutCharacters}
   from './options.mjs';
-import {compareBitmaps, showReport} from './report.mjs';
+import {compareBitmaps, refreshLines, showReport} from './report.mjs';
 
 /**
  * @typedef {object} Page
@@ -165,6 +165,7 @@ async function submit(page) {
   const names = Object.keys(files);
   if (names.some(isFont) && !charactersOf(names, page.screenText())) {
     say('Choose characters first: a list, the text above, or more.');
+    page.showPart();
     return;
   }
   const mine = turn;
@@ -259,7 +260,7 @@ export function startConverter(page) {
   };
   const checkSizes = () => $('max').setCustomValidity(
     Number($('max').value) < Number($('min').value)
-      ? `The largest size must be ${$('min').value} px or more, which is the least.` : '');
+      ? `From (${$('min').value} px) is above to (${$('max').value} px).` : '');
   $('options').oninput = () => {
     checkSizes();
     // The words of a refusal say what to change.
@@ -268,6 +269,14 @@ export function startConverter(page) {
     }
   };
   checkSizes();
+  // The programs are of the displays, which change after a conversion.
+  const refresh = () => {
+    if (shown && !$('built-in').hidden && !$('result').inert) {
+      refreshLines(page.screenText(), page.look());
+    }
+  };
+  $('try').addEventListener('change', refresh);
+  $('try').addEventListener('click', refresh);
   if (location.hash) $('status').textContent = 'The link has brought settings; a font is missing.';
   $('sizes').oninput = $('bits').onchange = () => compareBitmaps(page.core);
   document.querySelectorAll('#result pre').forEach((/** @type {any} */ listing) =>

@@ -65,7 +65,9 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
     `uint8_t rows[${WIDTH} * ${rows} * 2];  // ${rows} rows of ${WIDTH} px, RGB565`,
     '', 'Status hello() {', '  Font font;',
     `  INKCELL_TRY(Font::open(fonts::${name}, ${outlines ? '' : 'kFieldCoding, '}font));`,
-    `  port::Rgb565Canvas canvas({{rows, sizeof rows}, 0, 0, ${WIDTH}, ${rows}, 2 * ${WIDTH}});`,
+    '  // For a display behind SPI: ByteOrder::high_first.',
+    `  port::Rgb565Canvas canvas({{rows, sizeof rows}, 0, 0, ${WIDTH}, ${rows}, 2 * ${WIDTH},`,
+    '                             ByteOrder::low_first});',
     '  Painter painter(canvas);',
     weight !== 0 && `  const Filter filter = with_weight(${preset}, ` +
       `Q6_10::from_raw(${q10(weight)}));  // ${weight} px`,
@@ -104,7 +106,8 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
     `uint8_t rows[${WIDTH} * ${rows} * 2]; /* ${rows} rows of ${WIDTH} px, RGB565 */`,
     '', 'inkcell_status_t hello(void) {',
     '  inkcell_rgb565_target_t target = {', `      {rows, sizeof rows, 0, 0, ${WIDTH}, ${rows}, ` +
-      `INKCELL_STRIDE_BYTES(INKCELL_RGB565, ${WIDTH})},`, '      0xFFFF};',
+      `INKCELL_STRIDE_BYTES(INKCELL_RGB565, ${WIDTH}),`,
+    '       INKCELL_LOW_FIRST}, /* INKCELL_HIGH_FIRST: of a display behind SPI */', '      0xFFFF};',
     '  inkcell_sink_t sink;', '  inkcell_font_t font;', '  inkcell_style_t style;',
     `  inkcell_filter_t filter = ${preset};`,
     weight !== 0 && '  inkcell_filter_table_t table;',

@@ -117,7 +117,7 @@ export function compareBitmaps(core) {
   const bitmaps = sizes.map((px) => core.bitmapBytes(px, bits));
   const sum = bitmaps.reduce((all, bytes) => all + bytes, 0);
   $('bitmaps').replaceChildren(...sizes.map((px, i) => row([`${px} px`, bitmaps[i]])),
-    row(['all of them', sum]), row(['this font, any size', core.fontBytes]));
+    row(['all of them', sum]), row(['this font', core.fontBytes]));
 }
 
 /** @param {Record<string, Uint8Array>} made @param {string} name */
@@ -138,12 +138,25 @@ function showLines(name, args, sample) {
   $('command').textContent = ['inkcell-fontgen', ...args, '--name', name, '--out',
     `${name}.hpp`].map(quoted).join(' ');
   $('cmake').textContent = cmakeOf(args, name);
+  $('made-header').textContent = `<fonts/${name}.hpp>`;
   $('lists').textContent = cmakeListsOf(sample, false);
   $('usage').textContent = cppOf(sample);
   // The interface for C opens fields by another function.
   $('in-c').hidden = !sample.outlines;
   $('lists-c').textContent = cmakeListsOf(sample, true);
   $('usage-c').textContent = cOf(sample);
+}
+
+/** @typedef {import('../../port/web/inkcell.mjs').Look} Look */
+/** @type {(text: string, look: Look) => void} */
+let writeLines = () => {};
+
+/**
+ * Writes the programs anew, for what the displays show now; the font is open.
+ * @param {string} text @param {Look} look
+ */
+export function refreshLines(text, look) {
+  writeLines(text, look);
 }
 
 /**
@@ -161,7 +174,9 @@ export function showReport(core, report, made, name, args, text, look) {
   showGlyphs(core, report);
   showDownloads(made, name);
   showIcons(core, report, name);
-  showLines(name, args, sampleOf(core, report, name, text, look));
+  writeLines = (newText, newLook) =>
+    showLines(name, args, sampleOf(core, report, name, newText, newLook));
+  writeLines(text, look);
   $('pixel-box').hidden = true;
   $('comparison').hidden = report.coding !== 'outline';
   if (report.coding === 'outline') compareBitmaps(core);

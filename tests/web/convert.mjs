@@ -133,7 +133,10 @@ await compareDrawn('outline and glow', 'Größe 12', 4, 31,
   {...bolder, effect: 'outline', outline: 1});
 await page.click('#plain');
 await page.fill('#angle', '20');
+// The programs follow the displays at once.
 await page.selectOption('#filter', 'area');
+assert.match(await text(page, 'usage'), /kFilterArea, direction/);
+assert.equal(await text(page, 'made-header'), '<fonts/DejaVuSerif.hpp>');
 await again(page);
 assert.match(await text(page, 'usage'), /kFilterArea, direction/);
 const [, left, top] = /\{(\d+), (\d+)\}, "/.exec(await text(page, 'usage'));
