@@ -1,6 +1,7 @@
 // Code tables of outlines: lengths, words, and the search for symbols.
 #include <gtest/gtest.h>
 
+#include "base/code_lengths.hpp"
 #include "outlines/outline_code.hpp"
 
 #include <algorithm>
