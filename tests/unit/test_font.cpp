@@ -194,6 +194,9 @@ TEST(refuses_sections_outside_the_font) {
     sample();
     entry_of(tag)[section::kOffset] ^= 2;  // misaligned
     CHECK_EQ(reopen(), Status::corrupt);
+    sample();
+    put_u32(entry_of(tag) + section::kOffset, 0);  // nothing lies before it
+    CHECK_EQ(reopen(), Status::corrupt);
   }
 }
 

@@ -90,7 +90,7 @@ TEST(many_sections_open) {
     } else {
       put_u32(entry + section::kTag,
               format::tag('X', 'X', 'A', static_cast<char>('A' + i)));
-      put_u32(entry + section::kOffset, 0);
+      put_u32(entry + section::kOffset, header::kBytes);
       put_u32(entry + section::kSize, 0);
     }
   }

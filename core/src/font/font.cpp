@@ -67,15 +67,16 @@ Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   return Status::ok;
 }
 
-// Where the section of a directory entry lies. False if it leaves the font or
-// is misaligned.
+// Where the section of a directory entry lies. False if it leaves the font, is
+// misaligned, or begins at 0, where nothing lies before it: hints are read from
+// up to 3 bytes before a record.
 bool find_section(Span<const uint8_t> rom,
                   const uint8_t* entry,
                   Span<const uint8_t>& out) noexcept {
   const uint32_t offset =
       load_u32(entry + section::kOffset) & ~section::kMustUnderstand;
   const uint32_t size = load_u32(entry + section::kSize);
-  if ((offset & ~section::kOffsetMask) != 0 || offset > rom.size ||
+  if ((offset & ~section::kOffsetMask) != 0 || offset - 1 >= rom.size ||
       size > rom.size - offset) {
     return false;
   }
