@@ -55,8 +55,9 @@ Change add_glyph(const Project& project, const Arguments& arguments) {
 
 Change delete_glyph(const Project& project, const Arguments& arguments) {
   Change change = edited(project, arguments, [](Glyph&) {});
-  for (const auto& [name, glyph] :
-       project.layers[change.glyphs[0].layer].glyphs) {
+  for (const auto& entry : project.layers[change.glyphs[0].layer].glyphs) {
+    const std::string& name = entry.first;
+    const std::shared_ptr<const Glyph>& glyph = entry.second;
     for (const ComponentUse& use : glyph->components) {
       if (use.base == change.glyphs[0].name && name != use.base) {
         arguments.refuse("it is a component of '" + name +
