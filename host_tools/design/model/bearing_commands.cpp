@@ -84,7 +84,8 @@ Change set_bearings(const Project& project, const Arguments& arguments) {
       },
       true);
   if (dx != 0) {
-    hold_users(project, layer, change.glyphs[0].name, dx, change);
+    const std::string name = change.glyphs[0].name;  // the list grows
+    hold_users(project, layer, name, dx, change);
   }
   return change;
 }
