@@ -10,4 +10,11 @@
 set -eu
 . "$(dirname "$0")/../../host_tools/setup.sh"
 inkcell_setup reading
+before=
+for word; do
+  case $before in
+    --language) inkcell_setup packages "tesseract-ocr-$(echo "$word" | tr _ -)" ;;
+  esac
+  before=$word
+done
 exec /usr/bin/python3 -B "$(dirname "$0")/reading.py" "$@"

@@ -215,7 +215,7 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
     }
     std::vector<Point> polygon;
     const size_t n = read.size();
-    // Cuts open after a quarter of the time, and close a quarter before its
+    // Cuts open after an eighth of the time, and close an eighth before its
     // end.
     const auto mix = [&](size_t piece, size_t other, size_t point) {
       const auto& [from, to] = read[piece];

@@ -6,47 +6,11 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "inkcell/version.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
-using namespace inkcell;
-using namespace font_builder;
-namespace header = format::header;
-namespace section = format::section;
-
-alignas(4) uint8_t rom[kSampleFontBytes + 4];
-size_t rom_bytes = 0;
-
-// A fresh sample font in `rom`, opened.
-Font sample() {
-  rom_bytes = build_sample_font({rom, kSampleFontBytes});
-  Font font;
-  CHECK(rom_bytes != 0);
-  CHECK_OK(open_any_font({rom, rom_bytes}, font));
-  return font;
-}
-
-// What open says after the header or directory was changed.
-Status reopen() {
-  CHECK(repair_checksums({rom, rom_bytes}));
-  Font font;
-  const Status status = open_any_font({rom, rom_bytes}, font);
-  CHECK(status == Status::ok || font.glyph_count() == 0);  // out untouched
-  return status;
-}
-
-uint8_t* entry_of(uint32_t tag) {
-  uint8_t* entry = rom + header::kBytes;
-  while (get_u32(entry + section::kTag) != tag) {
-    entry += section::kBytes;
-  }
-  return entry;
-}
-
-uint8_t* section_bytes(uint32_t tag) {
-  return rom +
-         (get_u32(entry_of(tag) + section::kOffset) & section::kOffsetMask);
-}
+using namespace sample_rom;
 
 // A font of two-byte kerning classes: `classes` on each side, two glyphs.
 Status open_wide(uint16_t classes, Font& font) {

@@ -228,7 +228,7 @@ uint32_t cuts_of(const Track& first, const Track& second) noexcept {
   return (first.is_cut ? 1u : 0u) | (second.is_cut ? 2u : 0u);
 }
 
-// Ends of a cut wait for a quarter of the time, or arrive a quarter early: what
+// Ends of a cut wait for an eighth of the time, or arrive an eighth early: what
 // opens and closes moves fast.
 int32_t cut_progress(int32_t progress_q10, uint32_t cuts) noexcept {
   const int32_t since = progress_q10 - ((cuts & 1) != 0 ? 128 : 0);

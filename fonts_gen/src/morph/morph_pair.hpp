@@ -59,7 +59,7 @@ inline double slit_length(double progress) {
 }
 
 /// The progress of the ends of a cut: one that opens in the first glyph waits
-/// for a quarter of the time, one that closes in the second arrives as early.
+/// for an eighth of the time, one that closes in the second arrives as early.
 inline double cut_progress(double progress, bool opens, bool closes) {
   const double begin = opens ? 0.125 : 0;
   const double end = closes ? 0.875 : 1;
