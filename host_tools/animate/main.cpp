@@ -26,6 +26,7 @@
 #include "paper.hpp"
 #include "player.hpp"
 #include "program.hpp"
+#include "scene_icons.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -352,7 +353,7 @@ void run_reel(Arguments& arguments, const CLI::App& app) {
     text += find_scene(std::string(name)).text;
   }
   arguments.request.symbols += "0123456789:";
-  arguments.request.svg_folders.emplace_back(INKCELL_SCENE_ICONS);
+  arguments.request.svg_folders.emplace_back(kSceneIcons);
   arguments.request.morphs = {scenes::ClockScene::kMorphs,
                               scenes::IconScene::kMorphs};
   const RomFile rom = load_font_file(
@@ -379,7 +380,7 @@ void run(Arguments& arguments, const CLI::App& app) {
     arguments.request.morphs = {std::string(kind.morphs)};
   }
   if (arguments.scene == "icons" && !arguments.text) {
-    arguments.request.svg_folders.emplace_back(INKCELL_SCENE_ICONS);
+    arguments.request.svg_folders.emplace_back(kSceneIcons);
     arguments.request.morphs = {scenes::IconScene::kMorphs};
   }
   const RomFile rom = load_font_file(

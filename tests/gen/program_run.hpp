@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "paths.hpp"
 #include "sfnt_builder.hpp"
 
 namespace inkcell::gen::test {
@@ -19,8 +20,8 @@ struct Outcome {
 /// Runs the program in `folder`; its output files are in another one.
 inline Outcome run(const TestFolder& folder, const std::string& arguments) {
   const TestFolder logs;
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && " INKCELL_FONTGEN " " + arguments + " >'" +
+  const std::string command = "cd '" + folder.path().string() + "' && " +
+                              kFontgen + " " + arguments + " >'" +
                               (logs.path() / "out").string() + "' 2>'" +
                               (logs.path() / "err").string() + "'";
   Outcome result;

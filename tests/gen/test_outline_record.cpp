@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "outline_reader.hpp"
+#include "paths.hpp"
 #include "shape/outline.hpp"
 
 namespace inkcell::gen::test {
@@ -318,7 +319,7 @@ TEST(OutlineRecord, CompositesOfNumbersThatDoNotFit) {
 
 // The first line of a hexadecimal dump after `begin` in the document.
 std::vector<uint8_t> bytes_of_document(const std::string& begin) {
-  std::ifstream in(INKCELL_SOURCE_DIR "/docs/FORMAT.md");
+  std::ifstream in(std::string(kSourceFolder) + "/docs/FORMAT.md");
   const std::string document(std::istreambuf_iterator<char>(in), {});
   size_t at = document.find(begin);
   EXPECT_NE(at, std::string::npos);

@@ -57,10 +57,8 @@ TEST_F(Program, TellsHowFarItIsFromTheBeginning) {
   const TestFolder logs;
   const std::string log = (logs.path() / "log").string();
   const std::string command =
-      "cd '" + folder_.path().string() +
-      "' && script -qec '" INKCELL_FONTGEN
-      " --font plain.ttf --symbols .H --out a.bin' /dev/null >'" +
-      log + "'";
+      "cd '" + folder_.path().string() + "' && script -qec '" + kFontgen +
+      " --font plain.ttf --symbols .H --out a.bin' /dev/null >'" + log + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   const std::vector<uint8_t> bytes = read_file(log);
   const std::string shown(bytes.begin(), bytes.end());
@@ -89,8 +87,7 @@ TEST_F(Program, SharesTheGlyphsOfAFont) {
   ASSERT_EQ(run(folder_, font + "whole.bin").code, 0);
   for (const char* part : {"0/2", "1/2"}) {
     const std::string name(part, 1);
-    const Outcome result =
-        run(folder_, font + name + ".glyphs --part " + part);
+    const Outcome result = run(folder_, font + name + ".glyphs --part " + part);
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(result.out + result.err, "");
   }

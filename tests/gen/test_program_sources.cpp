@@ -45,10 +45,12 @@ TEST_F(ProgramSources, PutsArraysIntoSections) {
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c c.c d.c && "
-      "c++ " INKCELL_CXX_FLAGS
-      " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I" INKCELL_SOURCE_DIR
+      "c++ " +
+      kCxxFlags + " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I" +
+      kSourceFolder +
       "/core/include -c one.cpp main.cpp && "
-      "c++ " INKCELL_CXX_FLAGS
+      "c++ " +
+      kCxxFlags +
       " one.o main.o c.o d.o -o main && ./main && "
       "objdump -h main >sections";
   ASSERT_EQ(std::system(command.c_str()), 0);
@@ -126,10 +128,9 @@ TEST_F(ProgramSources, WritesSourcesThatCompile) {
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
-      "c++ " INKCELL_CXX_FLAGS
-      " -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
-      "/core/include main.cpp plain.o " INKCELL_CORE_LIBRARY
-      " -o main && ./main";
+      "c++ " +
+      kCxxFlags + " -std=c++17 -Wall -Wextra -Werror -I" + kSourceFolder +
+      "/core/include main.cpp plain.o " + kCoreLibrary + " -o main && ./main";
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 

@@ -15,6 +15,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "paths.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen::test {
@@ -135,7 +136,7 @@ std::string hex_dump(const std::vector<uint8_t>& bytes) {
 TEST(RomFont, SmallestFontIsTheOneOfTheDocument) {
   const std::vector<uint8_t> bytes = write(smallest());
   check_rom_font(bytes, smallest());
-  std::ifstream in(INKCELL_SOURCE_DIR "/docs/FORMAT.md");
+  std::ifstream in(std::string(kSourceFolder) + "/docs/FORMAT.md");
   const std::string document(std::istreambuf_iterator<char>(in), {});
   ASSERT_FALSE(document.empty());
   std::string shown;
