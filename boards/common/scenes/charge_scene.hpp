@@ -19,22 +19,13 @@ class ChargeScene : public TextScene {
 
   /// bad_argument: the text is not 1% to 100%.
   Status open() noexcept {
-    most_ = 0;
-    Text rest = text();
-    for (;
-         rest.size > 1 && *rest.data >= '0' && *rest.data <= '9' && most_ <= 10;
-         rest = {rest.data + 1, rest.size - 1}) {
-      most_ = most_ * 10 + (*rest.data - '0');
-    }
-    return most_ >= 1 && most_ <= 100 && rest.size == 1 && *rest.data == '%'
-               ? status()
-               : Status::bad_argument;
+    return read_number(100, "%", most_) ? status() : Status::bad_argument;
   }
 
   void set_frame(uint32_t frame) noexcept {
-    const Rect glow = Painter().box(font(), Style(style().size(), kGlowFilter),
-                                    centred("100%"), "100%");
-    next(frame, bounding_box(glow, bounding_box(body(), pole())));
+    next(frame,
+         bounding_box(Painter().box(font(), glow(), centred("100%"), "100%"),
+                      bounding_box(body(), pole())));
   }
 
   void draw(const Paper& paper) const noexcept {
@@ -50,31 +41,28 @@ class ChargeScene : public TextScene {
     paper.fill(0x06100c);
     paper.fill(0x3c5a4c, body());
     paper.fill(0x3c5a4c, pole());
-    const Rect in = {body().x0 + unit(), body().y0 + unit(), body().x1 - unit(),
-                     body().y1 - unit()};
+    Rect in = body();
+    in = {in.x0 + unit(), in.y0 + unit(), in.x1 - unit(), in.y1 - unit()};
     paper.fill(0x0a1a12, in);
-    paper.fill(mix_rgb(0x124a2c, 0x1c7a46, breath),
-               {in.x0, in.y0, in.x0 + (in.x1 - in.x0) * level / 100, in.y1});
-    char number[4];
-    size_t size = 0;
-    constexpr int32_t kParts[] = {100, 10, 1};
-    for (const int32_t part : kParts) {
-      if (level >= part || part == 1) {
-        number[size++] = static_cast<char>('0' + level / part % 10);
-      }
+    in.x1 = in.x0 + (in.x1 - in.x0) * level / 100;
+    paper.fill(mix_rgb(0x124a2c, 0x1c7a46, breath), in);
+    char digits[] = "000%";
+    for (int32_t i = 2, rest = level; i >= 0; --i, rest /= 10) {
+      digits[i] = static_cast<char>(digits[i] + rest % 10);
     }
-    number[size++] = '%';
-    const Text line(number, size);
-    const Painter glow = painter(paper, mix_rgb(0x1c6a40, 0x9dffca, breath));
-    glow.text(font(), Style(style().size(), kGlowFilter), centred(line), line);
+    const Text line = digits + (level < 10 ? 2 : level < 100 ? 1 : 0);
+    painter(paper, mix_rgb(0x1c6a40, 0x9dffca, breath))
+        .text(font(), glow(), centred(line), line);
     painter(paper, 0xf4fff8).text(font(), style(), centred(line), line);
   }
 
  private:
-  static constexpr Filter kGlowFilter =
-      make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(1024),
-                   Fixed<uint16_t, 8>::from_int(2)});
-
+  Style glow() const noexcept {
+    static constexpr Filter kGlow =
+        make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(1024),
+                     Fixed<uint16_t, 8>::from_int(2)});
+    return Style(style().size(), kGlow);
+  }
   // Of the wall. [px]
   int32_t unit() const noexcept { return px(16) + 1; }
   // With the pole in the middle of the screen, twice as wide as high.

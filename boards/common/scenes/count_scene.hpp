@@ -19,22 +19,14 @@ class CountScene : public TextScene {
 
   /// bad_argument: the text is not a number of up to 9 digits.
   Status open() noexcept {
-    most_ = 0;
-    for (size_t i = 0; i < text().size; ++i) {
-      const char digit = text().data[i];
-      if (digit < '0' || digit > '9' || i == 9) {
-        return Status::bad_argument;
-      }
-      most_ = most_ * 10 + static_cast<uint32_t>(digit - '0');
-    }
-    return most_ == 0 ? Status::bad_argument : Status::ok;
+    return read_number(999999999, "", most_) ? status() : Status::bad_argument;
   }
 
   void set_frame(uint32_t frame) noexcept {
     // It begins at rest.
     const int32_t now = time_of((frame + 90) % kFrames);
     const bool is_up = now < kBackMs;
-    counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
+    counter_.roll(is_up ? 0 : most(), is_up ? most() : 0,
                   {is_up ? 0 : kBackMs, is_up ? 2600 : 700});
     const Rect rolls = counter_.at(now);
     next(frame, is_empty(rolls) ? rolls : bounding_box(counter_.box(), bar()));
@@ -45,9 +37,8 @@ class CountScene : public TextScene {
     counter_.draw(painter(paper, 0x7fe0b0));
     Rect part = bar();
     paper.fill(0x2a3444, part);
-    const auto width = static_cast<uint32_t>(part.x1 - part.x0);
-    part.x1 = part.x0 +
-              static_cast<int32_t>(uint64_t{counter_.value()} * width / most_);
+    const int64_t width = part.x1 - part.x0;
+    part.x1 = part.x0 + static_cast<int32_t>(width * counter_.value() / most_);
     paper.fill(0x3fa878, part);
   }
 
@@ -63,8 +54,10 @@ class CountScene : public TextScene {
     return bar;
   }
 
+  uint32_t most() const noexcept { return static_cast<uint32_t>(most_); }
+
   kinetic::Counter counter_;
-  uint32_t most_ = 0;
+  int32_t most_ = 0;
 };
 
 }  // namespace scenes

@@ -25,5 +25,25 @@ Point TextScene::centred(Text line) const noexcept {
       place_.origin.y};
 }
 
+bool TextScene::read_number(int32_t most,
+                            Text unit,
+                            int32_t& number) const noexcept {
+  Text rest = text();
+  number = 0;
+  for (; rest.size > unit.size && *rest.data >= '0' && *rest.data <= '9';
+       rest = {rest.data + 1, rest.size - 1}) {
+    const int32_t digit = *rest.data - '0';
+    if (number > (most - digit) / 10) {
+      return false;
+    }
+    number = number * 10 + digit;
+  }
+  bool is_unit = number > 0 && rest.size == unit.size;
+  for (size_t i = 0; is_unit && i < unit.size; ++i) {
+    is_unit = rest.data[i] == unit.data[i];
+  }
+  return is_unit;
+}
+
 }  // namespace scenes
 }  // namespace inkcell

@@ -61,6 +61,8 @@ class TextScene {
   int32_t px(int32_t part_q8) const noexcept {
     return style_.size().raw * part_q8 >> 14;
   }
+  /// Whether the text is a number of 1 to `most` and `unit`.
+  bool read_number(int32_t most, Text unit, int32_t& number) const noexcept;
   uint32_t frame() const noexcept { return frame_; }
   /// The frame in a scene that repeats after `count` frames, from `first` on.
   int32_t frame_ms(uint32_t first, uint32_t count) const noexcept {
