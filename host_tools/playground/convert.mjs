@@ -20,8 +20,14 @@ const MOST_WORKERS = 8;
 
 /** @type {Record<string, Uint8Array>} */
 let files = {};  // chosen, by name
+/** @type {Record<string, Uint8Array>} */
+let good = {};  // those of the results
+let goodFace = '';  // of a collection
 let turn = 0;  // of the conversion that is wanted
 let shown = '';  // the font of the results
+/** Of the results: what was asked for, and the status. */
+let asked = '';
+let told = '';
 let refused = false;  // whether the status is a refusal
 let done = 0;  // of the conversion, 0 to 1
 /** @type {number | undefined} */
@@ -43,6 +49,29 @@ function say(status, messages = '') {
 /** What the results are of, after a conversion that gave none. @param {string} what */
 const still = (what, end = '.') => shown ? `${what}; below is still ${shown}.` : `${what}${end}`;
 
+/** What the controls ask for. @param {Page} page */
+const asksFor = (page) =>
+  JSON.stringify(argumentsOf(Object.keys(files), page.screenText()));
+
+/**
+ * A conversion that gave none: the generator's words, and the last good files.
+ * @param {Page} page @param {string} messages
+ * @param {boolean} isRead whether the files could be read, but not with these settings
+ */
+function refuse(page, messages, isRead) {
+  const names = Object.keys(files).filter(isDrawn);
+  say(still(isRead ? 'These settings were refused' : `${names.join(', ')} ` +
+    `${names.length === 1 ? 'was' : 'were'} refused`, ':'), messages);
+  refused = true;
+  if (!isRead && shown) {
+    files = good;
+    showFiles();
+    showFaces();
+    $('face').value = goodFace;
+  }
+  page.showPart();
+}
+
 /** @param {Uint8Array} bytes */
 const decoded = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
 
@@ -54,6 +83,7 @@ function stop() {
   $('result').inert = false;
   $('go').disabled = Object.keys(files).length === 0;
   $('cancel').hidden = $('progress').hidden = true;
+  $('convert-link').hidden = false;
 }
 
 /** The seconds that passed, and those that are left. */
@@ -87,8 +117,9 @@ function showAxes(report) {
   }));
 }
 
-/** Faces of a collection. @param {Uint8Array} [bytes] */
-function showFaces(bytes) {
+/** Faces of a collection. */
+function showFaces() {
+  const bytes = files[Object.keys(files).find(isFont) ?? ''];
   const names = bytes ? faceNames(bytes) : [];
   $('face-label').hidden = names.length < 2;
   $('face').replaceChildren(...names.map((name, i) => new Option(name, `${i}`)));
@@ -112,6 +143,7 @@ async function showFirst(page, args) {
 /** @param {Page} page */
 async function convert(page) {
   const {args, name} = argumentsOf(Object.keys(files), page.screenText());
+  const now = asksFor(page);
   const begin = performance.now();
   const outs = ['--name', name, '--out', 'font.hpp', '--out', 'font.c',
     '--header', 'font.h', '--out', 'font.bin', '--report', 'report.json'];
@@ -127,21 +159,20 @@ async function convert(page) {
   if (mine !== turn) return;
   const seconds = (performance.now() - begin) / 1000;
   if (result.code !== 0) {
-    const names = Object.keys(files).filter(isDrawn);
-    say(still(`${names.join(', ')} ${names.length === 1 ? 'was' : 'were'} refused`, ':'),
-      result.err);
-    refused = true;
-    page.showPart();
+    refuse(page, result.err, args.includes('--font'));
     return;
   }
   const {'report.json': json, ...made} = result.files;
   const report = decoded(json);
+  good = files;
+  goodFace = $('face').value;
+  asked = now;
   const added = [...report.added?.characters ?? ''].join(' and ');
   const characters = (report.characters === 1 ? '1 character'
     : `${report.characters} characters`) + (added && `, with ${added} for broken lines`);
   if (report.coding === 'outline') {
     const icons = args.includes('--font') ? [] : Object.values(report.icons);
-    page.show(made['font.bin'], `${name}, ${characters}, ${sizesOf(report.min_px, report.max_px)}`,
+    page.show(made['font.bin'], `${report.font}, ${characters}, ${sizesOf(report.min_px, report.max_px)}`,
       String.fromCodePoint(...icons));
   } else {
     page.showPart();
@@ -154,6 +185,7 @@ async function convert(page) {
     `${generator.count === 1 ? 'worker' : 'workers'}.` +
     (report.coding === 'outline' ? ' The displays above show it.' : ''), result.err);
   shown = report.font;
+  told = $('status').textContent;
   $('result').dataset.seconds = seconds.toFixed(2);
   $('status').scrollIntoView({block: 'start'});
   $('result').dataset.count = `${Number($('result').dataset.count ?? 0) + 1}`;
@@ -171,6 +203,7 @@ async function submit(page) {
   const mine = turn;
   $('go').disabled = $('result').inert = true;
   $('cancel').hidden = $('progress').hidden = false;
+  $('convert-link').hidden = true;
   $('progress').removeAttribute('value');
   startTimer();
   $('status').scrollIntoView({block: 'nearest'});
@@ -180,11 +213,17 @@ async function submit(page) {
     if (mine !== turn) return;
     if ($('axes').dataset.of !== $('chosen').textContent) {
       // What the file has, whatever its container: the generator's own report.
-      $('axes').dataset.of = $('chosen').textContent;
       const font = Object.keys(files).find(isFont);
-      const asked = font && await generator.run(files, ['--font', font, '--symbols', ' ',
+      const tried = font && await generator.run(files, ['--font', font, '--symbols', ' ',
         '--out', 'font.bin', '--report', 'report.json', '--quiet'], () => {});
-      showAxes(asked && asked.code === 0 ? decoded(asked.files['report.json']) : {});
+      if (mine !== turn) return;
+      if (tried && tried.code !== 0) {
+        refuse(page, tried.err, false);
+        stop();
+        return;
+      }
+      $('axes').dataset.of = $('chosen').textContent;
+      showAxes(tried ? decoded(tried.files['report.json']) : {});
     }
     await convert(page);
   } catch (error) {
@@ -211,7 +250,7 @@ async function choose(list) {
   showFiles();
   const names = Object.keys(files);
   $('characters').disabled = names.some(isIcon) && !names.some(isFont);
-  if (kinds.has(true)) showFaces(files[names.find(isFont) ?? '']);
+  if (kinds.has(true)) showFaces();
   if (names.some(isDrawn)) $('options').requestSubmit();
   else stop();
 }
@@ -265,7 +304,8 @@ export function startConverter(page) {
     checkSizes();
     // The words of a refusal say what to change.
     if (shown && !refused && !$('result').inert) {
-      $('status').textContent = 'Settings have changed. Convert again for a font with them.';
+      $('status').textContent = asksFor(page) === asked
+        ? told : 'Settings have changed. Convert again for a font with them.';
     }
   };
   checkSizes();

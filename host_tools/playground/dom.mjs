@@ -77,8 +77,12 @@ export async function copyLink(note) {
   }
 }
 
-/** Puts a button beside a listing, which copies it. @param {HTMLElement} listing */
+/**
+ * Puts a line above a listing: what it is, and a button that copies it.
+ * @param {HTMLElement} listing
+ */
 export function addCopy(listing) {
+  const label = listing.getAttribute('aria-label') ?? '';
   const copy = button('Copy', async () => {
     try {
       await navigator.clipboard.writeText(listing.textContent ?? '');
@@ -87,10 +91,12 @@ export function addCopy(listing) {
       getSelection()?.selectAllChildren(listing);
     }
   });
-  copy.className = 'copy';
-  copy.setAttribute('aria-label', `Copy: ${listing.getAttribute('aria-label')}`);
+  copy.setAttribute('aria-label', `Copy: ${label}`);
   copy.onblur = () => { copy.textContent = 'Copy'; };
-  listing.before(copy);
+  const line = document.createElement('div');
+  line.className = 'copy';
+  line.append(label, copy);
+  listing.before(line);
 }
 
 /** @param {number} least @param {number} most */

@@ -9,6 +9,23 @@ const FILTERS = {text: ['kFilterText', 'inkcell_filter_text'],
 const WIDTH = 240;
 const GLOW = '0xFAE3';  // of the TFT
 
+/**
+ * Shows a part of the rows in a terminal, where a character is twice as high as wide:
+ * each second row, by the upper bits of green.
+ * @param {number} rows @param {boolean} isC
+ */
+const mainOf = (rows, isC) => `/* On a computer: shows the first 120 px of each second row. */
+int main(${isC ? 'void' : ''}) {
+  ${isC ? 'inkcell_status_t' : 'const Status'} status = hello();
+  for (int y = 0; y < ${rows}; y += 2) {
+    for (int x = 0; x < 120; ++x) {
+      putchar(" .:-=+*#"[rows[2 * (y * ${WIDTH} + x) + 1] & 7]);
+    }
+    putchar('\\n');
+  }
+  return ${isC ? '(int)status' : 'static_cast<int>(status)'};
+}`;
+
 /** A string of C and C++. @param {string} text */
 const literal = (text) => `"${text.replace(/["\\]|\?(?=\?)/g, '\\$&')}"`;
 /** @param {number} px */
@@ -61,7 +78,7 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
     fit && '#include <inkcell/fit.hpp>',
     glow > 0 && '#include <inkcell/shadow.hpp>',
     outline > 0 && '#include <inkcell/stroke.hpp>',
-    '', `#include "${name}.hpp"`, '', 'using namespace inkcell;', '',
+    '', '#include <cstdio>', '', `#include "${name}.hpp"`, '', 'using namespace inkcell;', '',
     `uint8_t rows[${WIDTH} * ${rows} * 2];  // ${rows} rows of ${WIDTH} px, RGB565`,
     '', 'Status hello() {', '  Font font;',
     `  INKCELL_TRY(Font::open(fonts::${name}, ${outlines ? '' : 'kFieldCoding, '}font));`,
@@ -84,7 +101,8 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
     outline > 0 && `  const Stroke stroke(${filter}, Q6_10::from_raw(${q10(outline)}));` +
       `  // ${outline} px\n  style.set_effect(stroke);`,
     `${draw('style')}  // {x, baseline}`,
-    '  return canvas.status();  // now send the rows to your display', '}']);
+    '  return canvas.status();  // now send the rows to your display', '}', '',
+    mainOf(rows, false)]);
 }
 
 /** @param {Sample} sample */
@@ -102,7 +120,7 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
   const draw = (/** @type {string} */ style) =>
     `  if (status == INKCELL_OK) {\n    inkcell_draw_text(&font, ${c}, INKCELL_TERMINATED, ` +
     `&${style}, INKCELL_Q6(${x}),\n                      INKCELL_Q6(${y}), &sink, NULL);\n  }`;
-  return joined(['#include <inkcell/inkcell.h>', '', `#include "${name}.h"`, '',
+  return joined(['#include <inkcell/inkcell.h>', '#include <stdio.h>', '', `#include "${name}.h"`, '',
     `uint8_t rows[${WIDTH} * ${rows} * 2]; /* ${rows} rows of ${WIDTH} px, RGB565 */`,
     '', 'inkcell_status_t hello(void) {',
     '  inkcell_rgb565_target_t target = {', `      {rows, sizeof rows, 0, 0, ${WIDTH}, ${rows}, ` +
@@ -121,7 +139,7 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
     tried('inkcell_rgb565_sink(&target, &sink)'),
     tried(make('&filter', '&style')),
     fit && `${tried(`inkcell_fit_make(&font, &style, ${look.fit === 'across'}, 0, 256, &fit)`)}\n` +
-      '  inkcell_style_set_fit(&style, &fit);',
+      '  if (status == INKCELL_OK) {\n    inkcell_style_set_fit(&style, &fit);\n  }',
     glow > 0 && `  inkcell_filter_glow(${q10(glow)}, &soft_table, &soft); /* ${glow} px */\n` +
       `${tried(make('&soft', '&glow'))}\n  target.colour = ${GLOW};\n${draw('glow')}`,
     glow > 0 && outline > 0 && `  target.colour = 0;\n${draw('style')}`,
@@ -129,7 +147,7 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
     outline > 0 && `  inkcell_outline_make(&filter, ${q10(outline)}, INKCELL_OUTLINE_CENTRED, ` +
       `&stroke, &outer); /* ${outline} px */\n  inkcell_style_set_outline(&style, &stroke);`,
     draw('style'),
-    '  return status; /* now send the rows to your display */', '}']);
+    '  return status; /* now send the rows to your display */', '}', '', mainOf(rows, true)]);
 }
 
 /** @param {Sample} sample @param {boolean} isC */

@@ -18,7 +18,7 @@ const {browser, open} = await launch(npm, `file://${file}`);
 /** What has the focus: its name, and whether one sees that it has it. */
 const focus = (page) => page.evaluate(() => {
   const control = document.activeElement;
-  const ringed = control.matches('.file input') ? control.closest('.file') : control;
+  const ringed = control.matches('.file input') ? control.closest('#drop') : control;
   const {outlineStyle, outlineWidth} = getComputedStyle(ringed);
   return {name: control.id || control.textContent.trim(), tag: control.tagName,
     ring: outlineStyle === 'none' ? 0 : parseFloat(outlineWidth)};

@@ -96,16 +96,23 @@ async function drawnBy(suffix, source, ...fonts) {
   for (const name of fonts) writeFileSync(`${place}/${name}`, readFileSync(`${folder}/${name}`));
   writeFileSync(`${place}/CMakeLists.txt`, await text(page, `lists${suffix}`));
   const program = await text(page, `usage${suffix}`);
-  writeFileSync(`${place}/${source}`, `#include <stdio.h>\n${program}
-int main(void) {
+  // Its own main() shows characters.
+  writeFileSync(`${place}/${source}`, `#define main show\n${program}
+#undef main
+int main(int count, char **words) {
+  if (count > 1) return show();
   if ((int)hello() != 0) return 1;
   fwrite(rows, 1, sizeof rows, stdout);
-  return 0;
+  return words == 0;
 }
 `);
   execFileSync('cmake', ['-S', '.', '-B', 'build'], {cwd: place});
   execFileSync('cmake', ['--build', 'build', '--target', 'app'], {cwd: place});
   const pixels = execFileSync(`${place}/build/app`);
+  const lines = execFileSync(`${place}/build/app`, ['show'], {encoding: 'utf8'}).split('\n');
+  assert.equal(lines.length, Math.ceil(pixels.length / 480 / 2) + 1);
+  lines.slice(0, -1).forEach((line, i) => assert.equal(line,
+    Array.from({length: 120}, (_, x) => ' .:-=+*#'[pixels[2 * (480 * i + x) + 1] & 7]).join('')));
   const display = new Display('rgb565', 240, pixels.length / 480);
   display.pixels.set(pixels);
   return display;
@@ -298,7 +305,8 @@ async function checkKept() {
   assert.equal((await download(page, 'bin')).name, 'both.bin');
 }
 await checkKept();
-assert.equal(await text(page, 'chosen'), 'broken.ttf');
+assert.equal(await text(page, 'chosen'), 'both.ttc');
+assert.equal(await page.inputValue('#face'), '1');
 // The refusal goes with the next file, and stays away when that is cancelled.
 await page.setInputFiles('#files', local(`${FONTS}/DejaVuSans-Bold.ttf`));
 await page.waitForSelector('#cancel');
