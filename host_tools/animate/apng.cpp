@@ -98,7 +98,7 @@ std::vector<uint8_t> packed(const Image& image, const Rect& part) {
   }
   uLongf bytes = compressBound(rows.size());
   std::vector<uint8_t> result(bytes);
-  if (compress2(result.data(), &bytes, rows.data(), rows.size(), 9) != Z_OK) {
+  if (compress2(result.data(), &bytes, rows.data(), rows.size(), 6) != Z_OK) {
     throw std::runtime_error("zlib could not pack a frame");
   }
   result.resize(bytes);
