@@ -49,43 +49,74 @@ int32_t nearest(int32_t value) noexcept {
   return (value + 2048) >> 12;
 }
 
-void add_vortex(const Vortex& vortex,
-                int32_t x_q8,
-                int32_t y_q8,
-                Offset& offset) {
-  // At most 2^18 each.
-  const int32_t right = x_q8 - clamp(vortex.x.raw >> 8, -(1 << 17), 1 << 17);
-  const int32_t down = y_q8 - clamp(vortex.y.raw >> 8, -(1 << 17), 1 << 17);
-  const int32_t right_q2 = right >> 6;
-  const int32_t down_q2 = down >> 6;
-  const int32_t core = clamp(vortex.core, 1, 255);
-  // [samples^2] At least 1.
-  const int32_t square =
-      ((right_q2 * right_q2 + down_q2 * down_q2) >> 4) + core * core;
-  // The angle of a step, at most 1/2. [radians, Q12]
-  const int32_t strength =
-      clamp(vortex.strength, -kMostStrength, kMostStrength);
-  const int32_t turn_q12 = clamp(strength * 16 / square, -2048, 2048);
-  // Rotation back by the angle a, y down: (x cos a - y sin a, ...).
-  const int32_t half_square_q12 = turn_q12 * turn_q12 >> 13;
-  const int32_t near_right = clamp(right, -(1 << 16), 1 << 16);
-  const int32_t near_down = clamp(down, -(1 << 16), 1 << 16);
-  offset.x -= nearest(near_down * turn_q12 + near_right * half_square_q12);
-  offset.y += nearest(near_right * turn_q12 - near_down * half_square_q12);
-}
-
-Offset look_back(const Flow& flow, int32_t x, int32_t y) noexcept {
-  constexpr int32_t kFar = 16 << 8;
-  Offset offset = {-clamp(rounded(flow.x_drift), -kFar, kFar),
-                   -clamp(rounded(flow.y_drift), -kFar, kFar)};
-  const size_t count = flow.vortices.size < Flow::kMaxVortices
-                           ? flow.vortices.size
-                           : Flow::kMaxVortices;
-  for (size_t i = 0; i < count; ++i) {
-    add_vortex(flow.vortices[i], x * 256 + 128, y * 256 + 128, offset);
+// A flow whose numbers are in range.
+class Motion {
+ public:
+  explicit Motion(const Flow& flow) noexcept
+      : drift_{-clamp(rounded(flow.x_drift), -kFar, kFar),
+               -clamp(rounded(flow.y_drift), -kFar, kFar)},
+        fastest_(max(abs(drift_.x), abs(drift_.y))) {
+    for (const Vortex& vortex : flow.vortices) {
+      if (end_ == whirls_ + Flow::kMaxVortices) {
+        break;
+      }
+      const int32_t core = clamp(vortex.core, 1, 255);
+      const int32_t strength =
+          clamp(vortex.strength, -kMostStrength, kMostStrength);
+      *end_++ = {clamp(vortex.x.raw >> 8, -(1 << 17), 1 << 17),
+                 clamp(vortex.y.raw >> 8, -(1 << 17), 1 << 17), core * core,
+                 strength * 16};
+      // The speed is greatest at the radius of the core.
+      fastest_ += abs(strength) / (2 * core) + 8;
+    }
   }
-  return {clamp(offset.x, -kFar, kFar), clamp(offset.y, -kFar, kFar)};
-}
+
+  // A sample that moves less than one sample and is far from edges, with all
+  // its neighbours, stays far.
+  bool is_slow() const noexcept { return fastest_ < 256; }
+
+  Offset look_back(int32_t x, int32_t y) const noexcept {
+    Offset offset = drift_;
+    for (const Whirl* whirl = whirls_; whirl != end_; ++whirl) {
+      whirl->add(x * 256 + 128, y * 256 + 128, offset);
+    }
+    return {clamp(offset.x, -kFar, kFar), clamp(offset.y, -kFar, kFar)};
+  }
+
+ private:
+  static constexpr int32_t kFar = 16 << 8;
+
+  // A vortex.
+  struct Whirl {
+    int32_t x_q8;  // at most 2^17
+    int32_t y_q8;
+    int32_t core_square;   // at least 1
+    int32_t strength_q12;  // [samples^2 a step]
+
+    void add(int32_t at_x_q8, int32_t at_y_q8, Offset& offset) const noexcept {
+      // At most 2^18 + 2^17 each.
+      const int32_t right = at_x_q8 - x_q8;
+      const int32_t down = at_y_q8 - y_q8;
+      const int32_t right_q2 = right >> 6;
+      const int32_t down_q2 = down >> 6;
+      const int32_t square =
+          ((right_q2 * right_q2 + down_q2 * down_q2) >> 4) + core_square;
+      // The angle of a step, at most 1/2. [radians, Q12]
+      const int32_t turn_q12 = clamp(strength_q12 / square, -2048, 2048);
+      // Rotation back by the angle a, y down: (x cos a - y sin a, ...).
+      const int32_t half_square_q12 = turn_q12 * turn_q12 >> 13;
+      const int32_t near_right = clamp(right, -(1 << 16), 1 << 16);
+      const int32_t near_down = clamp(down, -(1 << 16), 1 << 16);
+      offset.x -= nearest(near_down * turn_q12 + near_right * half_square_q12);
+      offset.y += nearest(near_right * turn_q12 - near_down * half_square_q12);
+    }
+  };
+
+  Offset drift_;
+  int32_t fastest_;  // an upper bound of the step along an axis [samples, Q8]
+  Whirl whirls_[Flow::kMaxVortices];
+  Whirl* end_ = whirls_;
+};
 
 // The value between the sample `at` and the next one, from the 16 around it.
 // [1/32 of a sample's side]
@@ -123,27 +154,12 @@ int32_t far_side(const int8_t* above,
              : 0;
 }
 
-// An upper bound of the step along an axis. [samples, Q8]
-int32_t fastest_q8(const Flow& flow) noexcept {
-  const int32_t x = abs(rounded(flow.x_drift));
-  const int32_t y = abs(rounded(flow.y_drift));
-  int32_t sum = max(x, y);
-  for (size_t i = 0; i < flow.vortices.size && i < Flow::kMaxVortices; ++i) {
-    // The speed is greatest at the radius of the core: strength / (2 core).
-    const Vortex& vortex = flow.vortices[i];
-    const int32_t strength =
-        abs(clamp(vortex.strength, -kMostStrength, kMostStrength));
-    sum += strength / (2 * clamp(vortex.core, 1, 255)) + 8;
-  }
-  return sum;
-}
-
 // The new value of a sample.
 int8_t moved(const DistanceGrid& grid,
-             const Flow& flow,
+             const Motion& motion,
              int32_t x,
              int32_t y) noexcept {
-  const Offset offset = look_back(flow, x, y);
+  const Offset offset = motion.look_back(x, y);
   const int32_t x_q8 = x * 256 + offset.x;
   const int32_t y_q8 = y * 256 + offset.y;
   const int32_t left = x_q8 >> 8;
@@ -177,11 +193,11 @@ void advect(const DistanceGrid& grid,
       grid.width() == 0) {
     return;
   }
-  // A sample that moves less than one sample and is far from edges, with all
-  // its neighbours, stays far.
-  const bool is_slow = fastest_q8(flow) < 256;
+  const Motion motion(flow);
+  const bool is_slow = motion.is_slow();
   const KnownSpan all = {0, grid.width()};
-  KnownSpan known_above = all;
+  const KnownSpan none = {grid.width(), 0};
+  KnownSpan known_above = none;
   KnownSpan known = known_span(grid.row(0), grid.width());
   for (int32_t y = 0; y < grid.height(); ++y) {
     int8_t* to = out.row(y);
@@ -190,9 +206,10 @@ void advect(const DistanceGrid& grid,
     const int8_t* above = is_border ? at : at - grid.width();
     const int8_t* below = is_border ? at : at + grid.width();
     const KnownSpan known_below =
-        is_border ? all : known_span(below, grid.width());
+        y + 1 == grid.height() ? none
+                               : known_span(grid.row(y + 1), grid.width());
     KnownSpan span = united(known, united(known_above, known_below));
-    span = is_slow && !is_border ? grown(span, 1, grid.width()) : all;
+    span = is_slow ? grown(span, 1, grid.width()) : all;
     known_above = known;
     known = known_below;
     clear_around(span, to, grid.width());
@@ -205,7 +222,7 @@ void advect(const DistanceGrid& grid,
               : 0;
       to[x] = here != 0 && before == here && after == here
                   ? at[x]
-                  : moved(grid, flow, x, y);
+                  : moved(grid, motion, x, y);
       before = here;
       here = after;
     }

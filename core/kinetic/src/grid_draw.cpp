@@ -282,19 +282,27 @@ void draw_grid(const DistanceGrid& grid,
   const int32_t first = max(0, (sink.window.x0 - left) >> paint.scale_log2);
   const int32_t end = min(
       grid.width() + 1, (sink.window.x1 - left + side - 1) >> paint.scale_log2);
-  for (int32_t row = 0; row <= grid.height(); ++row) {
+  // The rows of cells [from, to) touch the window.
+  const int32_t from =
+      max(0, (sink.window.y0 - y + before) >> paint.scale_log2);
+  const int32_t to =
+      min(grid.height() + 1,
+          (sink.window.y1 - y + before + side - 1) >> paint.scale_log2);
+  // Cells outside of the known samples of both rows are blank, as a rule.
+  const bool is_blank = DistanceGrid::kOutside <= paint.blank;
+  KnownSpan above =
+      is_blank ? known_span(grid, from - 1, from - 1) : KnownSpan();
+  for (int32_t row = from; row < to; ++row) {
     const int32_t top = y + row * side - before;
-    if (top >= sink.window.y1 || top + side <= sink.window.y0) {
-      continue;
-    }
     const RowPair rows = {row > 0 ? grid.row(row - 1) : nullptr,
                           row < grid.height() ? grid.row(row) : nullptr,
                           grid.width()};
     KnownSpan cells = {first, end};
-    if (DistanceGrid::kOutside <= paint.blank) {
-      // Cells outside of the known samples of both rows are blank.
-      const KnownSpan known = known_span(grid, row - 1, row);
+    if (is_blank) {
+      const KnownSpan below = known_span(grid, row, row);
+      const KnownSpan known = united(above, below);
       cells = {max(first, known.first), min(end, known.end + 1)};
+      above = below;
     }
     draw_cells(rows, paint, {sink, left, top, side}, cells.first, cells.end);
   }
