@@ -3,7 +3,6 @@
 
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "inkcell/painter.hpp"
@@ -46,6 +45,43 @@ bool is_near(const Particle& p, const Rect& window) noexcept {
 int32_t magnitude(int32_t value) noexcept {
   return value < 0 ? -value : value;
 }
+
+// A ramp across a ring, and its slope. [coverage of 255 a pixel, in halves]
+struct RingEdge {
+  Filter ramp;
+  int32_t slope_q1;
+};
+
+constexpr RingEdge kWideRing = {
+    make_filter({Q6_10::from_raw(-1792), Q6_10::from_raw(1792)}), 7};
+constexpr RingEdge kNarrowRing = {
+    make_filter({Q6_10::from_raw(-1280), Q6_10::from_raw(1280)}), 5};
+
+// Keeps the middle of a ramp: a ring in one pass.
+struct Ring {
+  const Sink* ink;
+  int32_t slope_q1;
+
+  static void pass(
+      void* context, int32_t x, int32_t y, const uint8_t* ramp, int32_t count) {
+    const Ring& ring = *static_cast<const Ring*>(context);
+    uint8_t coverage[kMaxSpan];
+    for (int32_t i = 0; i < count; ++i) {
+      const int32_t near = ramp[i] < 128 ? ramp[i] : 255 - ramp[i];
+      const int32_t value = near * ring.slope_q1 >> 1;
+      coverage[i] = static_cast<uint8_t>(value < 255 ? value : 255);
+    }
+    ring.ink->coverage(ring.ink->context, x, y, coverage, count);
+  }
+
+  Sink sink() noexcept {
+    Sink result = *ink;
+    result.context = this;
+    result.coverage = pass;
+    result.solid = [](void*, int32_t, int32_t, int32_t) {};
+    return result;
+  }
+};
 
 // The opacity of the plain word. [of 255]
 int32_t word_opacity(uint32_t phase) noexcept {
@@ -208,9 +244,9 @@ void ParticleScene::step() noexcept {
     rules.bounce_q8 = 140;
     rules.kept_q16 = 65000;
     kinetic::step(pieces_, rules, grid_, 0, 0);
-  } else if (phase >= kGather || phase <= kBurst) {
+  } else if (phase >= kGather && phase < kRings) {
     // From left to right, one after the other; late ones still fall.
-    const uint32_t begun = phase <= kBurst ? kWordFrames : phase - kGather;
+    const uint32_t begun = phase - kGather;
     const size_t called =
         begun >= 26 ? pieces_.size : pieces_.size * size_t{begun + 1} / 26;
     const Span<Particle> early(pieces_.data, called);
@@ -281,11 +317,10 @@ void ParticleScene::draw_rings(const Paper& paper) const noexcept {
   const Q16_16 gone = ease(kEaseOut, fraction(0, kFrames, since));
   const int32_t offset_q6 = lerp(0, reach_q6, gone);
   const int32_t fading = 256 - lerp(0, 256, gone);
-  const int32_t wide_q6 = 64 + reach_q6 / 8;
-  draw_offset(grid_, Q26_6::from_raw(offset_q6), 0, 0, kFilterMotion,
-              paper.with(mix_rgb(kBackground, kRing, fading)));
-  draw_offset(grid_, Q26_6::from_raw(offset_q6 - wide_q6), 0, 0, kFilterMotion,
-              paper.with(kBackground));
+  const RingEdge& edge = height_ < 120 ? kNarrowRing : kWideRing;
+  Ring ring = {&paper.with(mix_rgb(kBackground, kRing, fading)), edge.slope_q1};
+  draw_offset(grid_, Q26_6::from_raw(offset_q6 - 64), 0, 0, edge.ramp,
+              ring.sink());
 }
 
 void ParticleScene::draw_word(const Paper& paper) const noexcept {
@@ -293,11 +328,11 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
   if (opacity == 0) {
     return;
   }
-  const Style style(size_, kFilterMotion);
-  // It cools down while it appears.
-  const Sink& ink = paper.with(mix_rgb(kSlow, kInk, opacity));
-  const Fade fade = {&ink, static_cast<uint8_t>(opacity)};
-  Painter(make_sink(fade), workspace_).text(font_, style, origin_, word(word_));
+  const Style style(size_, kFilterArea);
+  // It cools down while it appears, below its pieces.
+  const uint32_t glow = mix_rgb(kSlow, kInk, opacity);
+  Painter(paper.with(mix_rgb(kBackground, glow, opacity + 1)), workspace_)
+      .text(font_, style, origin_, word(word_));
 }
 
 void ParticleScene::draw_particles(const Paper& paper) const noexcept {
