@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <iomanip>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -54,6 +55,7 @@ struct Arguments {
   std::string format = "apng";
   std::string out;
   std::string stats;
+  std::string print;
   int rows = 16;
   int zoom = 1;
 };
@@ -92,6 +94,18 @@ Size read_size(const std::string& text) {
         ": say WIDTHxHEIGHT in px, from 16x8 to 2048x2048, such as 320x240");
   }
   return size;
+}
+
+// The styles of --print.
+const std::map<std::string, kinetic::PrintStyle>& print_styles() {
+  using kinetic::PrintStyle;
+  static const std::map<std::string, PrintStyle> styles = {
+      {"rings", PrintStyle::rings},
+      {"engraving", PrintStyle::engraving},
+      {"hatching", PrintStyle::hatching},
+      {"halftone", PrintStyle::halftone},
+      {"relief", PrintStyle::relief}};
+  return styles;
 }
 
 const SceneKind& find_scene(const std::string& name) {
@@ -339,7 +353,7 @@ void play_reel(const Arguments& arguments, const Font& font, Size size) {
 }
 
 void run_reel(Arguments& arguments, const CLI::App& app) {
-  for (const char* option : {"--text", "--stats", "--morph"}) {
+  for (const char* option : {"--text", "--stats", "--morph", "--print"}) {
     if (app.count(option) != 0) {
       throw std::runtime_error(std::string(option) +
                                ": the reel plays scenes as they are; say it "
@@ -367,6 +381,14 @@ void run(Arguments& arguments, const CLI::App& app) {
     return;
   }
   const SceneKind& kind = find_scene(arguments.scene);
+  std::optional<kinetic::PrintStyle> print;
+  if (!arguments.print.empty()) {
+    if (arguments.scene != "figure15") {
+      throw std::runtime_error("--print: " + arguments.scene +
+                               " is not printed; figure15 is");
+    }
+    print = print_styles().at(arguments.print);
+  }
   const Size size = read_size(arguments.size);
   check_apart({arguments.out, arguments.stats}, {arguments.font});
   if (!arguments.stats.empty()) {
@@ -386,7 +408,7 @@ void run(Arguments& arguments, const CLI::App& app) {
   const RomFile rom = load_font_file(
       arguments.font, conversion_of(app, arguments.request), text);
   const std::unique_ptr<Player> player =
-      open_scene(kind, rom.font(), text, size.width, size.height);
+      open_scene(kind, rom.font(), text, size.width, size.height, print);
   play(arguments, *player, size);
 }
 
@@ -426,6 +448,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "apng, gif, frames (PNG), or sheet: all frames in one PNG")
       ->check(CLI::IsMember({"apng", "gif", "frames", "sheet"}))
       ->capture_default_str();
+  app.add_option("--print", arguments.print,
+                 "Draw the letter of figure15 as a print")
+      ->check(CLI::IsMember(print_styles()))
+      ->type_name("STYLE");
   app.add_option("--rows", arguments.rows,
                  "Rows of a strip; the frames are the same for every number")
       ->check(CLI::Range(1, 2048))

@@ -89,8 +89,13 @@ double penetration_of(Span<const kinetic::Body> bodies,
 template <typename Scene>
 class ScenePlayer : public Player {
  public:
-  ScenePlayer(const Font& font, std::string_view text, int width, int height)
-      : grid_(Scene::needs(width, height).grid),
+  ScenePlayer(const Font& font,
+              std::string_view text,
+              int width,
+              int height,
+              std::optional<kinetic::PrintStyle> print)
+      : print_(print),
+        grid_(Scene::needs(width, height).grid),
         particles_(Scene::needs(width, height).particles),
         homes_(Scene::needs(width, height).homes),
         scene_({&font,
@@ -100,7 +105,8 @@ class ScenePlayer : public Player {
                 {{grid_.data(), grid_.size()},
                  {particles_.data(), particles_.size()},
                  {homes_.data(), homes_.size()}},
-                {workspace_.data(), workspace_.size()}}) {}
+                {workspace_.data(), workspace_.size()},
+                print_ ? &*print_ : nullptr}) {}
 
   Status open() override { return scene_.open(); }
   void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
@@ -147,6 +153,7 @@ class ScenePlayer : public Player {
   }
 
  private:
+  std::optional<kinetic::PrintStyle> print_;
   std::vector<int8_t> grid_;
   std::vector<kinetic::Particle> particles_;
   std::vector<kinetic::ParticleHome> homes_;
@@ -159,16 +166,17 @@ SceneKind kind_of(std::string_view name,
                   std::string_view what,
                   std::string_view takes,
                   std::string_view morphs = {}) {
-  return {name,
-          what,
-          Scene::kText,
-          takes,
-          morphs,
-          [](const Font& font, std::string_view text, int width,
-             int height) -> std::unique_ptr<Player> {
-            return std::make_unique<ScenePlayer<Scene>>(font, text, width,
-                                                        height);
-          }};
+  return {
+      name,
+      what,
+      Scene::kText,
+      takes,
+      morphs,
+      [](const Font& font, std::string_view text, int width, int height,
+         std::optional<kinetic::PrintStyle> print) -> std::unique_ptr<Player> {
+        return std::make_unique<ScenePlayer<Scene>>(font, text, width, height,
+                                                    print);
+      }};
 }
 
 }  // namespace
@@ -186,7 +194,8 @@ const std::vector<SceneKind>& scene_kinds() {
                                  "up to 8 letters"),
       kind_of<scenes::OffsetScene>(
           "figure14", "surfaces swell and throw particles off", "a word"),
-      kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up",
+      kind_of<scenes::VortexScene>("figure15",
+                                   "a vortex winds a letter up until it tears",
                                    "a letter, or a short word"),
       kind_of<scenes::PrintScene>("print", "light goes round five prints",
                                   "a word"),
@@ -217,8 +226,9 @@ std::unique_ptr<Player> open_scene(const SceneKind& kind,
                                    const Font& font,
                                    std::string_view text,
                                    int width,
-                                   int height) {
-  std::unique_ptr<Player> player = kind.make(font, text, width, height);
+                                   int height,
+                                   std::optional<kinetic::PrintStyle> print) {
+  std::unique_ptr<Player> player = kind.make(font, text, width, height, print);
   const Status status = player->open();
   if (status != Status::ok) {
     const bool is_text =

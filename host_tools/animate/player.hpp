@@ -11,6 +11,7 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/status.hpp"
 #include "paper.hpp"
 
@@ -51,18 +52,22 @@ struct SceneKind {
   std::unique_ptr<Player> (*make)(const Font& font,
                                   std::string_view text,
                                   int width,
-                                  int height);
+                                  int height,
+                                  std::optional<kinetic::PrintStyle> print);
 };
 
 /// All scenes.
 const std::vector<SceneKind>& scene_kinds();
 
-/// A scene of a kind, open. Throws std::runtime_error that says what the scene
-/// takes if the text, the font or the screen does not suit it.
-std::unique_ptr<Player> open_scene(const SceneKind& kind,
-                                   const Font& font,
-                                   std::string_view text,
-                                   int width,
-                                   int height);
+/// A scene of a kind, open; figure15 may be printed. Throws std::runtime_error
+/// that says what the scene takes if the text, the font or the screen does not
+/// suit it.
+std::unique_ptr<Player> open_scene(
+    const SceneKind& kind,
+    const Font& font,
+    std::string_view text,
+    int width,
+    int height,
+    std::optional<kinetic::PrintStyle> print = std::nullopt);
 
 }  // namespace inkcell::tools

@@ -8,13 +8,13 @@ inline constexpr const char* kPathHash =
 inline constexpr const char* kClockHash =
     "49483bb85f8c6e5165f8706cfd0a24f5c4d2c322d7ab81cc489f080f881f4c64";
 inline constexpr const char* kParticlesHash =
-    "9d5f91637808be73083ac7b7084dfa69429c62938158aecef39c6db9fc04d7f8";
+    "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
     "ebeb3cdcd4cf55f8b1913dd7c4b50fa3becb61fe5bf33f5d70a0fc3e1bf58098";
 inline constexpr const char* kFigure14Hash =
     "26d3c49228ca7964d8ce462c951cc0af0e9a114c320e50f82ac2ee4240300fe9";
 inline constexpr const char* kFigure15Hash =
-    "d75db31b5ae96116ff8f25e304ee09bdceb591d665f1ec863764a9fabbc04072";
+    "26b9bab739d0d01fa4c43a92ee8561bf31b5fb698a443aedc585ac587a809e86";
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 inline constexpr const char* kCountHash =

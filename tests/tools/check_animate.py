@@ -55,6 +55,21 @@ def frames_of(apng):
     return frames
 
 
+def pieces_of(frame, width):
+    """How many pieces of 6 px or more the light pixels form."""
+    left = {i for i in range(len(frame) // 3) if frame[3 * i] >= 128}
+    count = 0
+    while left:
+        found = [left.pop()]
+        for i in found:
+            for near in (i - 1, i + 1, i - width, i + width):
+                if near in left:
+                    left.remove(near)
+                    found.append(near)
+        count += len(found) >= 6
+    return count
+
+
 class Animate(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -190,6 +205,33 @@ class Animate(unittest.TestCase):
                     self.assertEqual(edge, edge[:3] * width)
                 self.assertEqual([set(edge) for edge in columns],
                                  [{frame[0]}, {frame[0]}])
+
+    def test_the_vortex_tears_the_letter(self):
+        """One piece becomes several; some ink is there all the time."""
+        out, _ = self.play("figure15", "t.png", "--fps", 5, size="320x240",
+                           frames=300)
+        frames = frames_of(out.read_bytes())
+        pieces = [pieces_of(frame, 320) for frame in frames]
+        self.assertEqual(pieces[0], 1)
+        self.assertEqual(pieces[-1], 1)
+        self.assertGreaterEqual(max(pieces), 3)
+        ground = frames[0][:3]
+        for frame in frames:
+            ink = sum(frame[i:i + 3] != ground
+                      for i in range(0, len(frame), 3))
+            self.assertGreater(ink, 1000)
+
+    def test_the_vortex_is_printed(self):
+        plain, _ = self.play("figure15", "p.png", "--from", 3, frames=3)
+        seen = {plain.read_bytes()}
+        for style in ("rings", "engraving", "hatching", "halftone", "relief"):
+            out, _ = self.play("figure15", "p.png", "--from", 3, "--print",
+                               style, frames=3)
+            seen.add(out.read_bytes())
+        self.assertEqual(len(seen), 6)
+        message = run("animate", "path", "--print", "rings", "--out", plain,
+                      code=1)
+        self.assertIn("path is not printed; figure15 is", message)
 
     def test_charge_takes_a_percentage(self):
         for text in ("0%", "101%", "72", "%", "7a%"):

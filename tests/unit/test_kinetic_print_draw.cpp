@@ -46,6 +46,50 @@ int32_t ink(const Picture<kSide, kSide>& picture, const Rect& part) {
   return sum / ((part.x1 - part.x0) * (part.y1 - part.y0));
 }
 
+// Where distances are clamped there are no rings, and a cutoff moves the edge.
+TEST(rings_end_with_the_distances_and_a_cutoff_thins) {
+  const DistanceGrid grid = square();
+  PrintLook look;
+  look.style = PrintStyle::rings;
+  look.contrast = 0;
+  look.tone = 255;
+  Picture<kSide, kSide> rings;
+  draw_print(grid, look, 0, 0, kFilterText, rings.sink());
+  CHECK(ink(rings, {6, 5, kSide - 6, 6}) > 200);
+  CHECK_EQ(ink(rings, {9, 9, kSide - 9, kSide - 9}), 0);
+  look.style = PrintStyle::relief;
+  Picture<kSide, kSide> plain;
+  draw_print(grid, look, 0, 0, kFilterText, plain.sink());
+  look.cutoff.raw = 2 << 13;
+  Picture<kSide, kSide> thin;
+  draw_print(grid, look, 0, 0, kFilterText, thin.sink());
+  for (int32_t x = kMargin; x + 2 < kSide / 2; ++x) {
+    CHECK_EQ(thin.at(x + 2, kSide / 2), plain.at(x, kSide / 2));
+  }
+}
+
+// A turn of the screen by half a turn about the middle changes nothing.
+TEST(lines_turn_about_a_place) {
+  const DistanceGrid grid = square();
+  constexpr Rect kInside = {9, 9, kSide - 9, kSide - 9};
+  PrintLook look;
+  look.contrast = 0;
+  look.style = PrintStyle::hatching;
+  look.screen = from_degrees(90);
+  look.screen_x = kSide / 2;
+  Picture<kSide, kSide> upright;
+  draw_print(grid, look, 0, 0, kFilterText, upright.sink());
+  look.screen = from_degrees(270);
+  Picture<kSide, kSide> turned;
+  draw_print(grid, look, 0, 0, kFilterText, turned.sink());
+  for (int32_t y = kInside.y0; y < kInside.y1; ++y) {
+    for (int32_t x = kInside.x0; x < kInside.x1; ++x) {
+      const int32_t change = upright.at(x, y) - turned.at(x, y);
+      CHECK(change >= -2 && change <= 2);
+    }
+  }
+}
+
 TEST(flat_places_take_ink_by_their_tone) {
   const DistanceGrid grid = square();
   PrintLook look;

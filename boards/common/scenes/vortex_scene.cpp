@@ -1,4 +1,5 @@
-// The letter rests, is wound up, thins away, and grows anew.
+// The letter rests and is wound up. Its strokes thin, break where they are
+// thinnest, and vanish while the letter grows anew.
 #include "vortex_scene.hpp"
 
 #include "inkcell/kinetic/advect.hpp"
@@ -24,13 +25,28 @@ constexpr uint32_t kBody = 0xf2e6cf;
 constexpr uint32_t kCore = 0xd9763f;
 
 // Frames of a loop.
-constexpr uint32_t kBegins = 20;
-constexpr uint32_t kEnds = 185;
+constexpr uint32_t kBegins = 12;
+constexpr uint32_t kThins = 80;
+constexpr uint32_t kEnds = 196;  // of the vortex; the letter grows anew
+constexpr uint32_t kGone = 230;
+constexpr uint32_t kGrown = 236;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength
-constexpr uint32_t kGrows = 215;
-constexpr uint32_t kGrown = 245;
 // Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
+
+// The colours of a print, and the angle of its lines at rest.
+struct PrintInks {
+  uint32_t body;
+  uint32_t ink;
+  int32_t screen;  // [degrees]
+};
+
+// In the order of PrintStyle.
+constexpr PrintInks kPrintInks[] = {{0x2a1a3c, 0xff8fb8, 0},
+                                    {0x0f2a24, 0xa6f0d0, 20},
+                                    {0x1c2233, 0xf2f0e6, 50},
+                                    {0x33180f, 0xff9a52, 30},
+                                    {0x2b1a12, 0xffd9a0, 0}};
 
 Q16_16 strength_at(uint32_t phase) noexcept {
   if (phase < kBegins || phase >= kEnds) {
@@ -42,15 +58,6 @@ Q16_16 strength_at(uint32_t phase) noexcept {
   return ease(kEaseInOut, fraction(0, kSwell, static_cast<int32_t>(near)));
 }
 
-// How far strokes have thinned.
-Q16_16 thinned_at(uint32_t phase) noexcept {
-  const auto now = static_cast<int32_t>(phase);
-  return phase < kGrows
-             ? ease(kEaseInOut, fraction(kEnds, kGrows, now))
-             : Q16_16::from_raw(
-                   65536 - ease(kEaseInOut, fraction(kGrows, kGrown, now)).raw);
-}
-
 }  // namespace
 
 VortexScene::VortexScene(const SceneSetting& setting) noexcept
@@ -58,7 +65,8 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
       text_(setting.text),
       width_(setting.width),
       height_(setting.height),
-      workspace_(setting.workspace) {
+      workspace_(setting.workspace),
+      print_(setting.print) {
   const int32_t scale = scale_for(width_);
   const int32_t columns = DistanceGrid::samples_of(width_, scale);
   const int32_t rows = DistanceGrid::samples_of(height_, scale);
@@ -119,10 +127,12 @@ Status VortexScene::open() noexcept {
 void VortexScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kLoopFrames;
-  if (phase == kGrows) {
-    const uint32_t frame = frame_;
-    static_cast<void>(restart());
-    frame_ = frame;
+  if (phase == kEnds) {
+    const DistanceGrid swap = grid_;
+    grid_ = next_;
+    next_ = swap;
+    // open() has tried it.
+    static_cast<void>(paint(grid_));
   }
   has_changed_ = has_changed_ || (phase >= kEnds && phase <= kGrown);
   const Q16_16 blow = strength_at(phase);
@@ -166,30 +176,93 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
   }
   if (has_changed_) {
     now_ = known_pixels(grid_);
+    if (is_old_shown()) {
+      now_ = bounding_box(now_, known_pixels(next_));
+    }
   }
 }
 
-// A ring outside, the body, and its core: all drawn by distance.
+bool VortexScene::is_old_shown() const noexcept {
+  const uint32_t phase = frame_ % kLoopFrames;
+  return phase >= kEnds && phase < kGone;
+}
+
 void VortexScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
+  const Q16_16 worn = ease(kEaseInOut, fraction(kThins, kGone, now));
+  if (now < static_cast<int32_t>(kEnds)) {
+    draw_shape(paper, grid_, worn);
+    return;
+  }
+  if (is_old_shown()) {
+    draw_shape(paper, next_, worn);
+  }
+  const Q16_16 grown = ease(kEaseInOut, fraction(kEnds - 16, kGrown, now));
+  draw_shape(paper, grid_, Q16_16::from_raw(65536 - grown.raw));
+}
+
+// The cutoff that moves the edge outwards. [Q13 of a sample]
+int32_t VortexScene::cutoff_of(const DistanceGrid& grid,
+                               int32_t offset_q6) const noexcept {
+  const bool is_wound = &grid == &next_ || frame_ % kLoopFrames < kEnds;
+  return (is_wound ? cutoff_.raw : 0) - (offset_q6 * 128 >> grid.scale_log2());
+}
+
+// A ring outside, the body, and its core: all drawn by distance.
+void VortexScene::draw_shape(const Paper& paper,
+                             const DistanceGrid& grid,
+                             Q16_16 thinned) const noexcept {
   struct Layer {
     int32_t offset_q6;  // [px] on screens of 240 rows
     uint32_t ink;
   };
   constexpr Layer kLayers[] = {
       {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 32, kCore}};
-  paper.fill(kBackground);
   // All layers thin by more than the grid knows, and what is left fades.
-  const uint32_t phase = frame_ % kLoopFrames;
-  const Q16_16 thinned = thinned_at(phase);
-  const auto opacity = static_cast<uint8_t>(lerp(255, 0, thinned));
-  for (const Layer& layer : kLayers) {
-    const int32_t offset_q6 =
-        (layer.offset_q6 - lerp(0, 14 * 64, thinned)) * height_ / 240;
-    GridLook look;
-    look.cutoff.raw = cutoff_.raw - (offset_q6 * 128 >> grid_.scale_log2());
-    const Fade fade = {&paper.with(layer.ink), opacity};
-    draw_grid(grid_, look, 0, 0, kFilterMotion, make_sink(fade));
+  const int32_t thinner_q6 = lerp(0, 12 * 64, thinned);
+  const auto opacity =
+      static_cast<uint8_t>(lerp(255, 0, fraction(46000, 65536, thinned.raw)));
+  if (print_ != nullptr) {
+    draw_print(paper, grid, thinner_q6 * height_ / 240, opacity);
+    return;
   }
+  for (const Layer& layer : kLayers) {
+    const int32_t offset_q6 = (layer.offset_q6 - thinner_q6) * height_ / 240;
+    GridLook look;
+    look.cutoff.raw = cutoff_of(grid, offset_q6);
+    const Fade fade = {&paper.with(layer.ink), opacity};
+    draw_grid(grid, look, 0, 0, kFilterMotion, make_sink(fade));
+  }
+}
+
+// Lines turn with the vortex, once in a loop.
+void VortexScene::draw_print(const Paper& paper,
+                             const DistanceGrid& grid,
+                             int32_t thinner_q6,
+                             uint8_t opacity) const noexcept {
+  const PrintInks& inks = kPrintInks[static_cast<uint32_t>(*print_)];
+  const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
+  const Q16_16 turned = ease(kEaseInOut, fraction(kBegins, kEnds, now));
+  PrintLook look;
+  look.style = *print_;
+  look.light = from_degrees(-45);
+  look.screen = Angle::from_raw(
+      static_cast<uint16_t>(from_degrees(inks.screen).raw + turned.raw));
+  look.screen_x = static_cast<int16_t>(width_ / 2);
+  look.screen_y = static_cast<int16_t>(height_ / 2);
+  const int32_t pitch = height_ * 64 / 40;
+  look.pitch = Q26_6::from_raw(pitch < 160 ? 160 : pitch);
+  look.slope = Q26_6::from_raw(height_ * 64 / 34);
+  look.tone = 100;
+  look.contrast = 140;
+  look.cutoff.raw = cutoff_of(grid, -thinner_q6);
+  GridLook body;
+  body.cutoff = look.cutoff;
+  const Fade under = {&paper.with(inks.body), opacity};
+  draw_grid(grid, body, 0, 0, kFilterMotion, make_sink(under));
+  const Fade ink = {&paper.with(inks.ink), opacity};
+  kinetic::draw_print(grid, look, 0, 0, kFilterMotion, make_sink(ink));
 }
 
 void VortexScene::add_changes(DirtyRects& dirty) const noexcept {

@@ -1,4 +1,4 @@
-// Scene `figure15`: a vortex winds a letter up; it thins away and grows anew.
+// Scene `figure15`: a vortex winds a letter up until it tears; it grows anew.
 #pragma once
 
 #include <stdint.h>
@@ -14,12 +14,12 @@
 namespace inkcell {
 namespace scenes {
 
-/// Figure 15 of Perry and Frisken: level sets, and lines drawn by distance. A
-/// simulation: set_frame() steps as often as needed, from the start if it goes
-/// back.
+/// Figure 15 of Perry and Frisken: level sets, and layers or a print drawn by
+/// distance. A simulation: set_frame() steps as often as needed, from the start
+/// if it goes back.
 class VortexScene {
  public:
-  static constexpr const char* kText = "S";
+  static constexpr const char* kText = "&";
 
   /// 2^scale pixels a sample along each side: the grid knows distances of 4
   /// samples, which the outermost layer needs.
@@ -52,16 +52,27 @@ class VortexScene {
   bool paint(kinetic::DistanceGrid& grid) noexcept;
   void keep_area() noexcept;
   void step() noexcept;
+  bool is_old_shown() const noexcept;
+  void draw_shape(const Paper& paper,
+                  const kinetic::DistanceGrid& grid,
+                  Q16_16 thinned) const noexcept;
+  void draw_print(const Paper& paper,
+                  const kinetic::DistanceGrid& grid,
+                  int32_t thinner_q6,
+                  uint8_t opacity) const noexcept;
+  int32_t cutoff_of(const kinetic::DistanceGrid& grid,
+                    int32_t offset_q6) const noexcept;
 
   const Font& font_;
   Text text_;
   int32_t width_;
   int32_t height_;
   kinetic::DistanceGrid grid_;
-  kinetic::DistanceGrid next_;
+  kinetic::DistanceGrid next_;  // or what is left of the letter before
   Workspace workspace_;
+  const kinetic::PrintStyle* print_;
   kinetic::GridHistogram scratch_;
-  Fixed<int32_t, 13> cutoff_;
+  Fixed<int32_t, 13> cutoff_;  // of the letter that was wound up
   int32_t area_ = 0;
   uint32_t frame_ = 0;
   Rect before_;  // drawn by the last two frames

@@ -68,16 +68,24 @@ struct Printer {
   Wave along;   // phase across the lines
   Wave across;  // phase across the second set of lines
   uint32_t start;
+  int32_t screen_x;
+  int32_t screen_y;
+  int32_t cutoff_q10;  // [px]
+  int32_t known_q10;   // distances are clamped beyond it
 
-  explicit Printer(const PrintLook& look) noexcept;
+  Printer(const PrintLook& look, int32_t scale_log2) noexcept;
+
+  // `at` is moved by the cutoff.
   uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept {
     const int32_t dark = shade(at);
     const int32_t depth_q10 = at.distance_q10;
     int32_t result = dark;
     switch (style) {
       case PrintStyle::rings:
-        result =
-            line(to_phase * static_cast<uint32_t>(depth_q10) - start, dark);
+        result = depth_q10 + cutoff_q10 < known_q10
+                     ? line(to_phase * static_cast<uint32_t>(depth_q10) - start,
+                            dark)
+                     : 0;
         break;
       case PrintStyle::engraving: {
         // Lines follow the height: a parabola up to the flat part.
@@ -134,7 +142,7 @@ struct Printer {
   }
 };
 
-Printer::Printer(const PrintLook& look) noexcept
+Printer::Printer(const PrintLook& look, int32_t scale_log2) noexcept
     : style(look.style),
       pitch_q10(clamp(look.pitch.raw, 2 << 6, 64 << 6) * 16),
       slope_q10(clamp(look.slope.raw, 1 << 6, 32 << 6) * 16),
@@ -149,7 +157,12 @@ Printer::Printer(const PrintLook& look) noexcept
                          look.screen.raw +
                          (style == PrintStyle::halftone ? 0x4000 : 0x3000))),
                      to_phase)),
-      start(to_phase * 16 * static_cast<uint32_t>(look.shift.raw)) {}
+      start(to_phase * 16 * static_cast<uint32_t>(look.shift.raw)),
+      screen_x(look.screen_x),
+      screen_y(look.screen_y),
+      cutoff_q10(
+          clamp(look.cutoff.raw, -(1 << 15), 1 << 15) * (1 << scale_log2) >> 3),
+      known_q10((31 << 10 << scale_log2) >> 3) {}
 
 // How dark a place is, on a dome whose slope falls from 1 at the edge to 0.
 int32_t Printer::shade(const GridPoint& at) const noexcept {
@@ -188,11 +201,14 @@ __attribute__((noinline)) void print_row(const DistanceGrid& grid,
   const int32_t end = min(shown.end, part.x1 - box.x0);
   PixelRun run(sink, y);
   for (int32_t column = first; column < end; ++column) {
-    const GridPoint at = probe(grid, Q16_16::from_raw(column * 65536 + 32768),
-                               Q16_16::from_raw(line * 65536 + 32768));
+    GridPoint at = probe(grid, Q16_16::from_raw(column * 65536 + 32768),
+                         Q16_16::from_raw(line * 65536 + 32768));
+    at.distance_q10 -= printer.cutoff_q10;
     const uint32_t body = filter.coverage(at.distance_q10);
     if (body != 0) {
-      const uint32_t covered = body * printer.ink(at, column, line) + 127;
+      const uint32_t covered = body * printer.ink(at, column - printer.screen_x,
+                                                  line - printer.screen_y) +
+                               127;
       run.add(box.x0 + column, (covered + (covered >> 8)) >> 8);
     }
   }
@@ -211,7 +227,7 @@ void draw_print(const DistanceGrid& grid,
   if (grid.width() == 0 || x > kFar || x < -kFar || y > kFar || y < -kFar) {
     return;
   }
-  const Printer printer(look);
+  const Printer printer(look, grid.scale_log2());
   const Rect box = {x, y, x + grid.width_px(), y + grid.height_px()};
   const Rect part = intersect(box, sink.window);
   for (int32_t row = part.y0; row < part.y1 && !is_empty(part); ++row) {

@@ -23,7 +23,8 @@ namespace kinetic {
 
 /// How a tone becomes ink.
 enum class PrintStyle : uint8_t {
-  rings,      // lines along the edge, each `pitch` farther in
+  rings,      // lines along the edge, each `pitch` farther in, as far as the
+              // grid has distances
   engraving,  // lines in one direction that bend over the slope
   hatching,   // straight lines; where it is dark others cross them
   halftone,   // dots on a turned screen
@@ -39,6 +40,12 @@ struct PrintLook {
   Q26_6 slope = Q26_6::from_int(4);  // width of the slope [px], 1 to 32
   /// Offset of the lines: along the gradient, or across the lines. [px]
   Q26_6 shift;
+  /// Lines and dots turn about this place when `screen` turns. [px from the
+  /// grid's upper left corner]
+  int16_t screen_x = 0;
+  int16_t screen_y = 0;
+  /// Distances below it are outside: above 0 shapes get thinner. [samples]
+  Fixed<int32_t, 13> cutoff;
   /// The tone of flat areas, and the contrast of the lighting. [of 255]
   uint8_t tone = 110;
   uint8_t contrast = 110;
