@@ -12,6 +12,7 @@
 #include "icon_scene.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
 #include "letters_scene.hpp"
+#include "melt_scene.hpp"
 #include "offset_scene.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
@@ -197,6 +198,8 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::VortexScene>("figure15",
                                    "a vortex winds a letter up until it tears",
                                    "a letter, or a short word"),
+      kind_of<scenes::MeltScene>(
+          "melt", "a word melts, and another one freezes", "two words"),
       kind_of<scenes::PrintScene>("print", "light goes round five prints",
                                   "a word"),
       kind_of<scenes::CountScene>("count", "a number rolls up",

@@ -19,6 +19,7 @@
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/melt.hpp"
 #include "inkcell/kinetic/morph.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
@@ -212,6 +213,12 @@ void use_grids(const Font& font, Choices& choices) {
   flow.y_drift = choices.q16();
   advect(first.grid, flow, next.grid);
   redistance(next.grid, first.grid);
+  Melting melting;
+  melting.floor = choices.q6();
+  melting.speed_q8 = choices.number();
+  melting.area = choices.number();
+  melt(first.grid, melting, scratch);
+  freeze(first.grid, next.grid, choices.number());
   look.slope_q8 = choices.number();
   Canvas canvas;
   const int32_t far_x = choices.number();

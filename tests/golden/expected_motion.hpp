@@ -12,9 +12,11 @@ inline constexpr const char* kParticlesHash =
 inline constexpr const char* kFigure13Hash =
     "ebeb3cdcd4cf55f8b1913dd7c4b50fa3becb61fe5bf33f5d70a0fc3e1bf58098";
 inline constexpr const char* kFigure14Hash =
-    "26d3c49228ca7964d8ce462c951cc0af0e9a114c320e50f82ac2ee4240300fe9";
+    "cb01c7bb6a3bb027327da523be52549b620c15d386f259385b149f5a04cdff9b";
 inline constexpr const char* kFigure15Hash =
     "26b9bab739d0d01fa4c43a92ee8561bf31b5fb698a443aedc585ac587a809e86";
+inline constexpr const char* kMeltHash =
+    "dc4c71d4ba33393e136d470decf0737ada9ad6f4628704da13c9999608d42a4b";
 inline constexpr const char* kPrintHash =
     "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 inline constexpr const char* kCountHash =

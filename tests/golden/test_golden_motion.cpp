@@ -9,6 +9,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "letters_scene.hpp"
+#include "melt_scene.hpp"
 #include "offset_scene.hpp"
 #include "paper.hpp"
 #include "particle_scene.hpp"
@@ -42,6 +43,7 @@ constexpr scenes::SceneNeeds kOffsets =
     scenes::OffsetScene::needs(kWidth, kHeight);
 constexpr scenes::SceneNeeds kPrint =
     scenes::PrintScene::needs(kWidth, kHeight);
+constexpr scenes::SceneNeeds kMelt = scenes::MeltScene::needs(kWidth, kHeight);
 constexpr scenes::SceneNeeds kVortex =
     scenes::VortexScene::needs(kWidth, kHeight);
 
@@ -49,8 +51,9 @@ constexpr scenes::SceneNeeds kVortex =
 #ifdef INKCELL_SMALL_RAM
 int8_t grid[most(kParticles.grid, kPrint.grid)];
 #else
-int8_t grid[most(most(most(kBodies.grid, kVortex.grid), kOffsets.grid),
-                 most(kParticles.grid, kPrint.grid))];
+int8_t grid[most(
+    most(most(kBodies.grid, kVortex.grid), most(kOffsets.grid, kMelt.grid)),
+    most(kParticles.grid, kPrint.grid))];
 #endif
 static_assert(kOffsets.particles <= kParticles.particles, "there is room");
 kinetic::Particle particles[kParticles.particles];
@@ -207,6 +210,12 @@ TEST(figure13_has_one_hash) {
 TEST(figure14_has_one_hash) {
   static scenes::OffsetScene scene(setting_of("Ink"));
   check_played("figure14", scene, golden::kFigure14Hash);
+  check_sought(scene);
+}
+
+TEST(melt_has_one_hash) {
+  static scenes::MeltScene scene(setting_of("Ink cel"));
+  check_played("melt", scene, golden::kMeltHash);
   check_sought(scene);
 }
 

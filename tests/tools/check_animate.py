@@ -20,7 +20,8 @@ SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 # Scenes that repeat without a seam: functions of time.
 LOOPS = ("count", "ticker", "typewriter", "wipe", "bounce", "pulse", "splash",
          "charge", "clock", "path")
-SCENES = LOOPS + ("particles", "figure13", "figure14", "figure15", "print")
+SCENES = LOOPS + ("particles", "figure13", "figure14", "figure15", "print",
+                  "melt")
 PROGRAMS = {}
 
 

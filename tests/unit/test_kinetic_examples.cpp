@@ -9,6 +9,7 @@
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/melt.hpp"
 #include "inkcell/kinetic/morph.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
@@ -234,7 +235,46 @@ Status draw_level_set(const Sink& sink) {
   return Status::ok;
 }
 
+Status melt_and_freeze(int32_t frame, const Sink& sink) {
+  static int8_t samples[3][48 * 48];
+  static DistanceGrid grid(samples[0], 48, 48, 0);
+  static DistanceGrid next(samples[1], 48, 48, 0);
+  static DistanceGrid word(samples[2], 48, 48, 0);
+  static GridHistogram scratch;
+  static Melting how;
+  if (frame == 0) {
+    grid.clear();
+    INKCELL_TRY(grid.paint(font, 1, Q26_6::from_int(32), from));
+    word.clear();
+    INKCELL_TRY(word.paint(font, 2, Q26_6::from_int(32), from));
+    how.floor = from.y;        // from the grid's upper edge
+    how.area = grid.area();  // is kept
+  }
+  if (frame < 60) {
+    how.speed_q8 = frame < 20 ? 10 * frame : 200;  // [samples a step]
+    melt(grid, how, scratch);
+  } else {
+    freeze(grid, word, frame < 100 ? 12 : 24);
+  }
+  if (frame < 100) {  // after that, parts that were not reached appear
+    redistance(grid, next);
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+  }
+  draw_grid(grid, {}, 0, 0, kFilterMotion, sink);
+  return Status::ok;
+}
+
 }  // namespace
+
+TEST(shapes_melt) {
+  for (int32_t frame = 0; frame < 112; ++frame) {
+    const Sink sink = counting_sink();
+    CHECK_OK(melt_and_freeze(frame, sink));
+    CHECK(ink > 255 * 40);
+  }
+}
 
 TEST(poses_and_paths_draw) {
   const Sink sink = counting_sink();

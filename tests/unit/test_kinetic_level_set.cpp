@@ -4,6 +4,7 @@
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
+#include "inkcell/kinetic/melt.hpp"
 #include "inkcell/kinetic/redistance.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
@@ -198,6 +199,58 @@ TEST(distances_are_made_anew) {
   }
 }
 
+// The shape sinks to the floor as a puddle of the same area; another one
+// freezes out of it, from below, and is exact at last.
+TEST(shapes_melt_and_others_freeze) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  const DistanceGrid target(original, kSide, kSide, 0);
+  DistanceGrid whole = target;
+  paint(kDiscGlyph, grid);
+  paint(kEllGlyph, whole);
+  Melting how;
+  how.floor = Q26_6::from_int(80);
+  how.area = grid.area();
+  how.speed_q8 = 220;
+  const int32_t top = grid.known_box().y0;
+  for (int32_t i = 0; i < 160; ++i) {
+    melt(grid, how, scratch);
+    redistance(grid, next);
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+    CHECK(magnitude(grid.area() - how.area) <= how.area / 5);
+  }
+  CHECK(magnitude(grid.area() - how.area) <= how.area / 25);
+  CHECK(grid.known_box().y0 > top + 24);
+  for (int32_t x = 0; x < kSide; ++x) {
+    CHECK(grid.at(x, 81) < 0);
+  }
+  // It is filled where the puddle is, and above only later.
+  const auto missing = [&](int32_t from, int32_t to) {
+    int32_t count = 0;
+    for (int32_t y = from; y < to; ++y) {
+      for (int32_t x = 0; x < kSide; ++x) {
+        count += target.at(x, y) > 0 && grid.at(x, y) < 0 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  for (int32_t i = 0; i < 24; ++i) {
+    freeze(grid, target, 16);
+    redistance(grid, next);
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+  }
+  CHECK_EQ(missing(68, kSide), 0);
+  CHECK(missing(0, 50) > 0);
+  for (int32_t i = 0; i < 16; ++i) {
+    freeze(grid, target, 16);
+  }
+  CHECK_EQ(difference(grid, target), 0);
+}
+
 TEST(hostile_flows_do_no_harm) {
   for (Rounds rounds(41, 60); rounds.next();) {
     Random& random = rounds.random;
@@ -223,5 +276,11 @@ TEST(hostile_flows_do_no_harm) {
     advect(grid, flow, next);
     redistance(grid, next);
     redistance(next, grid);
+    Melting how;
+    how.floor.raw = raw();
+    how.speed_q8 = raw();
+    how.area = raw();
+    melt(grid, how, scratch);
+    freeze(grid, next, raw());
   }
 }

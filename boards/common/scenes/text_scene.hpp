@@ -50,6 +50,12 @@ class TextScene {
 
   const Font& font() const noexcept { return *setting_.font; }
   Text text() const noexcept { return setting_.text; }
+  /// The first word, or what follows it.
+  Text word(size_t index) const noexcept {
+    return word_of(setting_.text, index);
+  }
+  /// The one of both words that takes more room.
+  static Text wider_word(const Font& font, Text text) noexcept;
   Rect screen() const noexcept {
     return {0, 0, setting_.width, setting_.height};
   }
@@ -75,6 +81,8 @@ class TextScene {
   }
 
  private:
+  static Text word_of(Text text, size_t index) noexcept;
+
   SceneSetting setting_;
   TextPlace place_;
   bool has_ink_;

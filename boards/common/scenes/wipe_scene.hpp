@@ -40,15 +40,6 @@ class WipeScene : public TextScene {
   using Wipe = kinetic::Wipe;
   static constexpr uint32_t kHalf = 75;  // [frames]
 
-  Text word(size_t index) const noexcept {
-    size_t end = 0;
-    while (end < text().size && text().data[end] != ' ') {
-      ++end;
-    }
-    const size_t after = end < text().size ? end + 1 : end;
-    return index == 0 ? Text(text().data, end)
-                      : Text(text().data + after, text().size - after);
-  }
   Wipe wipe(size_t index, uint32_t frame, Wipe::Kind kind) const noexcept {
     return {font(),
             style(),

@@ -15,7 +15,8 @@
 //   dot MEAN                                  of 1.3 px
 //   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
 //   path, clock, count, ticker, typewriter, wipe, bounce, pulse, splash,
-//   charge, particle_text, figure13, figure14, figure15, print
+//   charge, particle_text, figure13, figure14, figure15,
+//   print, melt
 //       WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
 //       a frame of RGB565 in strips of 16 rows: what changed (mean, most), or
 //       all of the screen (mean)
@@ -36,6 +37,7 @@
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "letters_scene.hpp"
+#include "melt_scene.hpp"
 #include "offset_scene.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
@@ -394,6 +396,7 @@ int main(int argc, char** argv) {
       measure_scene<scenes::PrintScene, 128, 64>("print") &&
       measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
       measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
+      measure_recipe<scenes::MeltScene>("melt") &&
       measure_scene<scenes::PathScene, 320, 240>("path") &&
       measure_scene<scenes::ClockScene, 320, 240>("clock") &&
       measure_scene<scenes::ClockScene, 128, 64>("clock") &&
