@@ -60,27 +60,38 @@ OffsetScene::OffsetScene(const SceneSetting& setting) noexcept
       workspace_(setting.workspace),
       particles_(setting.memory.particles) {
   const int32_t scale = scale_for(width_);
-  const auto grid_at = [&](size_t first, int32_t scale_log2) {
-    const Span<int8_t> all = setting.memory.grid;
-    return first > all.size
-               ? DistanceGrid()
-               : DistanceGrid({all.data + first, all.size - first},
-                              DistanceGrid::samples_of(width_, scale_log2),
-                              DistanceGrid::samples_of(height_, scale_log2),
-                              scale_log2);
+  Span<int8_t> left = setting.memory.grid;
+  const auto take = [&](int32_t width, int32_t height, int32_t scale_log2) {
+    const size_t bytes = grid_bytes(width, height, scale_log2);
+    if (bytes > left.size) {
+      left.size = 0;
+      return DistanceGrid();
+    }
+    const DistanceGrid grid(left, DistanceGrid::samples_of(width, scale_log2),
+                            DistanceGrid::samples_of(height, scale_log2),
+                            scale_log2);
+    left = {left.data + bytes, left.size - bytes};
+    return grid;
   };
-  grid_ = grid_at(0, scale);
-  far_grid_ = grid_at(grid_bytes(width_, height_, scale), scale + 1);
+  grid_ = take(width_, height_, scale);
+  far_grid_ = take(width_, height_, scale + 1);
+  guide_ = take(guide_columns(width_, height_), kGuideRows, 0);
 }
 
 Status OffsetScene::open() noexcept {
-  if (grid_.width() == 0 || far_grid_.width() == 0 || particles_.size == 0) {
+  if (guide_.width() == 0 || particles_.size == 0) {
     return Status::buffer_small;
   }
   if (!find_place(font_, text_, width_, height_, 205, 140, place_) ||
       !paint_text(font_, text_, place_, workspace_, grid_) ||
       !paint_text(font_, text_, place_, workspace_, far_grid_)) {
     return Status::bad_argument;
+  }
+  // A text too small for it has no guide.
+  TextPlace place;
+  if (!find_place(font_, text_, guide_.width(), kGuideRows, 205, 140, place) ||
+      !paint_text(font_, text_, place, workspace_, guide_)) {
+    guide_.clear();
   }
   restart();
   now_ = drawn_box();
@@ -92,10 +103,16 @@ void OffsetScene::restart() noexcept {
   RandomNumbers random(kSeed);
   for (Particle& p : particles_) {
     p = {};
-    p.x.raw =
-        static_cast<int32_t>(random.below(static_cast<uint32_t>(width_) << 16));
-    p.y.raw = static_cast<int32_t>(
-        random.below(static_cast<uint32_t>(height_) << 16));
+    // Beside the letters.
+    for (int i = 0; i < 16; ++i) {
+      p.x.raw = static_cast<int32_t>(
+          random.below(static_cast<uint32_t>(width_) << 16));
+      p.y.raw = static_cast<int32_t>(
+          random.below(static_cast<uint32_t>(height_) << 16));
+      if (probe(grid_, p.x, p.y).distance_q10 < -(4 << 10)) {
+        break;
+      }
+    }
   }
 }
 
@@ -124,16 +141,22 @@ const DistanceGrid& OffsetScene::grid_for(int32_t offset_q6) const noexcept {
   return offset_q6 < 3 * 64 << grid_.scale_log2() ? grid_ : far_grid_;
 }
 
-// Where the fine grid has no slope, uses the far one; farther out the direction
+// Where the fine grid has no slope, uses the guide; farther out the direction
 // to the middle of the screen.
 void OffsetScene::pull_from_afar(int32_t strength_q10) noexcept {
   const int32_t known_q10 = -((15 << 8) << grid_.scale_log2());
+  // From px to samples of the guide.
+  const auto on_guide = [](Q16_16 at, int32_t samples, int32_t px) {
+    return Q16_16::from_raw(
+        static_cast<int32_t>(int64_t{at.raw} * samples / px));
+  };
   for (Particle& p : particles_) {
     const GridPoint near = probe(grid_, p.x, p.y);
     if (near.distance_q10 > known_q10) {
       continue;
     }
-    const GridPoint far = probe(far_grid_, p.x, p.y);
+    const GridPoint far = probe(guide_, on_guide(p.x, guide_.width(), width_),
+                                on_guide(p.y, kGuideRows, height_));
     int32_t x = far.x_slope_q13;
     int32_t y = far.y_slope_q13;
     if (magnitude(x) + magnitude(y) < 1024) {
@@ -192,7 +215,7 @@ void OffsetScene::draw(const Paper& paper) noexcept {
     draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, kFilterMotion,
                 paper.with(kBands[i]));
   }
-  const Style style(place_.size, kFilterMotion);
+  const Style style(place_.size, kFilterArea);
   Painter(paper.with(kBody), workspace_)
       .text(font_, style, place_.origin, text_);
   const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);

@@ -35,12 +35,19 @@ class OffsetScene {
     return static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
                                DistanceGrid::samples_of(height, scale));
   }
+  /// The screen in a third grid, whose distances reach 2/5 of the height.
+  static constexpr int32_t kGuideRows = 10;
+  static constexpr int32_t guide_columns(int32_t width,
+                                         int32_t height) noexcept {
+    return (width * kGuideRows + height - 1) / height;
+  }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
     const int32_t scale = scale_for(width);
     const auto area = static_cast<size_t>(width * height);
-    return {
-        grid_bytes(width, height, scale) + grid_bytes(width, height, scale + 1),
-        area > 400 * 80 ? 400 : area / 80, 0};
+    return {grid_bytes(width, height, scale) +
+                grid_bytes(width, height, scale + 1) +
+                grid_bytes(guide_columns(width, height), kGuideRows, 0),
+            area > 400 * 80 ? 400 : area / 80, 0};
   }
 
   explicit OffsetScene(const SceneSetting& setting) noexcept;
@@ -69,6 +76,7 @@ class OffsetScene {
   int32_t height_;
   kinetic::DistanceGrid grid_;
   kinetic::DistanceGrid far_grid_;
+  kinetic::DistanceGrid guide_;  // the whole screen, for far particles
   Workspace workspace_;
   TextPlace place_;
   Span<kinetic::Particle> particles_;
