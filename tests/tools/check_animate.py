@@ -234,6 +234,46 @@ class Animate(unittest.TestCase):
                       code=1)
         self.assertIn("path is not printed; figure15 is", message)
 
+    def test_far_particles_follow_the_field(self):
+        """After 40 frames 9 of 10 are near an edge, not at a box around all."""
+        width, height = 320, 240
+        out, _ = self.play("figure14", "f.png", "--from", 40 / 30,
+                           size=f"{width}x{height}", frames=1)
+        frame = frames_of(out.read_bytes())[0]
+        away = {}
+        found = []
+        blue = []
+        for i in range(width * height):
+            r, g, b = frame[3 * i:3 * i + 3]
+            if r >= 224 and g >= 208 and b < 240:  # the letters
+                away[i] = 0
+                found.append(i)
+            elif r < 208 and b >= 224:
+                blue.append(i)
+        for i in found:
+            for near in (i - 1, i + 1, i - width, i + width):
+                if 0 <= near < width * height and near not in away:
+                    away[near] = away[i] + 1
+                    found.append(near)
+        self.assertGreater(len(blue), 400)
+        self.assertLessEqual(sorted(away[i] for i in blue)[len(blue) * 9 // 10],
+                             24)
+
+    def test_melting_has_no_seam(self):
+        """It ends as it began; some ink is there all the time."""
+        out, stats = self.play("melt", "m.png", frames=301)
+        frames = frames_of(out.read_bytes())
+        self.assertEqual(frames[0], frames[300])
+        self.assertEqual(frames[140], frames[150])  # the second word rests
+        self.assertNotEqual(frames[0], frames[150])
+        self.assertEqual(stats["missed_pixels"], 0)
+        self.assertGreater(stats["still_frames"], 50)
+        ground = frames[0][:3]
+        for frame in frames:
+            ink = sum(frame[i:i + 3] != ground
+                      for i in range(0, len(frame), 3))
+            self.assertGreater(ink, 300)
+
     def test_charge_takes_a_percentage(self):
         for text in ("0%", "101%", "72", "%", "7a%"):
             out = run("animate", "charge", "--text", text, "--out",

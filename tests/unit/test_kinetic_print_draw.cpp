@@ -68,6 +68,40 @@ TEST(rings_end_with_the_distances_and_a_cutoff_thins) {
   }
 }
 
+// A line of half a pixel along a slanted edge has the same ink in every row, so
+// that it is no row of dashes.
+TEST(thin_lines_at_slanted_edges_are_even) {
+  const DistanceGrid grid(samples, kSide, kSide, 0);
+  for (int32_t y = 0; y < kSide; ++y) {
+    for (int32_t x = 0; x < kSide; ++x) {
+      const int32_t value = (x - 24) * 30 + (y - 24) * 11;
+      samples[y * kSide + x] = static_cast<int8_t>(value < -128  ? -128
+                                                   : value > 127 ? 127
+                                                                 : value);
+    }
+  }
+  PrintLook look;
+  look.style = PrintStyle::rings;
+  look.contrast = 0;
+  look.tone = 16;  // of 256: half a pixel
+  look.pitch = Q26_6::from_int(8);
+  look.shift = Q26_6::from_int(2);
+  Picture<kSide, kSide> picture;
+  draw_print(grid, look, 0, 0, kFilterText, picture.sink());
+  int32_t least = 255;
+  int32_t most = 0;
+  for (int32_t y = 8; y < kSide - 8; ++y) {
+    int32_t sum = 0;
+    for (int32_t x = 0; x < kSide; ++x) {
+      sum += picture.at(x, y);
+    }
+    least = sum < least ? sum : least;
+    most = sum > most ? sum : most;
+  }
+  CHECK(least >= 115);
+  CHECK(most <= 150);
+}
+
 // A turn of the screen by half a turn about the middle changes nothing.
 TEST(lines_turn_about_a_place) {
   const DistanceGrid grid = square();

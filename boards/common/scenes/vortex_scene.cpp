@@ -134,7 +134,7 @@ void VortexScene::step() noexcept {
     // open() has tried it.
     static_cast<void>(paint(grid_));
   }
-  has_changed_ = has_changed_ || (phase >= kEnds && phase <= kGrown);
+  has_changed_ = has_changed_ || (phase >= kThins && phase <= kGrown);
   const Q16_16 blow = strength_at(phase);
   if (blow.raw == 0) {
     return;

@@ -68,6 +68,8 @@ struct Printer {
   Wave along;   // phase across the lines
   Wave across;  // phase across the second set of lines
   uint32_t start;
+  int32_t across_x_q13;  // the direction in which the phase of lines grows
+  int32_t across_y_q13;
   int32_t screen_x;
   int32_t screen_y;
   int32_t cutoff_q10;  // [px]
@@ -93,7 +95,8 @@ struct Printer {
         const int32_t height_q10 =
             (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
         const uint32_t bent = to_phase * static_cast<uint32_t>(height_q10);
-        result = line(along.at(x, y) + bent - start, dark);
+        result =
+            line(along.at(x, y) + bent - start, dark, bent_density_q13(at));
         break;
       }
       case PrintStyle::hatching: {
@@ -120,12 +123,32 @@ struct Printer {
     return 256 - (clamp(distance_q10, 0, slope_q10) * to_steep >> 16);
   }
   int32_t shade(const GridPoint& at) const noexcept;
-  // Coverage of a line that is part / 256 of the pitch wide. [of 255]
-  int32_t line(uint32_t phase, int32_t width_q8) const noexcept {
+  // Coverage of a line that is part / 256 of the pitch wide. A line thinner
+  // than a pixel is as faint as it is thin, wherever pixels cross it. `density`
+  // is the number of periods in a pitch. [of 255]
+  int32_t line(uint32_t phase,
+               int32_t width_q8,
+               int32_t density_q13 = kOneQ13) const noexcept {
     const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
-    const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
-    const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
-    return clamp((half_q10 - px_q10 + 512) >> 2, 0, kBlack);
+    int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
+    int32_t half_q10 = pitch_q10 * width_q8 >> 9;
+    if (density_q13 != kOneQ13) {
+      px_q10 = px_q10 * kOneQ13 / density_q13;
+      half_q10 = half_q10 * kOneQ13 / density_q13;
+    }
+    return clamp((half_q10 - px_q10 + 512) >> 2, 0, min(half_q10 >> 1, kBlack));
+  }
+
+  // How dense lines are that bend over the slope: the length of the gradient of
+  // their phase. Below 4.
+  int32_t bent_density_q13(const GridPoint& at) const noexcept {
+    const int32_t steep = steep_q8(at.distance_q10);
+    // Lines across the screen's angle, and 3/2 of the slope of the dome.
+    const int32_t x =
+        across_x_q13 + (clamp(at.x_slope_q13, -8192, 8192) * steep * 3 >> 9);
+    const int32_t y =
+        across_y_q13 + (clamp(at.y_slope_q13, -8192, 8192) * steep * 3 >> 9);
+    return max(rough_length(abs(x), abs(y)), kOneQ13 / 4);
   }
 
   // Coverage of a dot, which joins its neighbours at half tone.
@@ -158,6 +181,8 @@ Printer::Printer(const PrintLook& look, int32_t scale_log2) noexcept
                          (style == PrintStyle::halftone ? 0x4000 : 0x3000))),
                      to_phase)),
       start(to_phase * 16 * static_cast<uint32_t>(look.shift.raw)),
+      across_x_q13(sine(look.screen).raw >> 1),
+      across_y_q13(cosine(look.screen).raw >> 1),
       screen_x(look.screen_x),
       screen_y(look.screen_y),
       cutoff_q10(
