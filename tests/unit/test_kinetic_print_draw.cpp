@@ -216,6 +216,9 @@ TEST(any_look_of_any_grid_is_safe) {
     look.pitch.raw = any();
     look.slope.raw = any();
     look.shift.raw = any();
+    look.screen_x = static_cast<int16_t>(random.next());
+    look.screen_y = static_cast<int16_t>(random.next());
+    look.cutoff.raw = any();
     look.tone = static_cast<uint8_t>(random.byte());
     look.contrast = static_cast<uint8_t>(random.byte());
     Picture<16, 4> picture(random.between(-9, 40), random.between(-9, 40));

@@ -251,7 +251,8 @@ void VortexScene::draw_print(const Paper& paper,
       static_cast<uint16_t>(from_degrees(inks.screen).raw + turned.raw));
   look.screen_x = static_cast<int16_t>(width_ / 2);
   look.screen_y = static_cast<int16_t>(height_ / 2);
-  const int32_t pitch = height_ * 64 / 40;
+  const int32_t pitch =
+      height_ * 64 / (look.style == PrintStyle::rings ? 72 : 40);
   look.pitch = Q26_6::from_raw(pitch < 160 ? 160 : pitch);
   look.slope = Q26_6::from_raw(height_ * 64 / 34);
   look.tone = 100;

@@ -73,9 +73,10 @@ struct Printer {
   int32_t screen_x;
   int32_t screen_y;
   int32_t cutoff_q10;  // [px]
-  int32_t known_q10;   // distances are clamped beyond it
+  int32_t scale_log2;
+  int32_t known_q10;  // distances are clamped beyond it
 
-  Printer(const PrintLook& look, int32_t scale_log2) noexcept;
+  Printer(const PrintLook& look, int32_t grid_scale_log2) noexcept;
 
   // `at` is moved by the cutoff.
   uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept {
@@ -83,12 +84,14 @@ struct Printer {
     const int32_t depth_q10 = at.distance_q10;
     int32_t result = dark;
     switch (style) {
-      case PrintStyle::rings:
-        result = depth_q10 + cutoff_q10 < known_q10
-                     ? line(to_phase * static_cast<uint32_t>(depth_q10) - start,
-                            dark)
-                     : 0;
+      case PrintStyle::rings: {
+        // They fade over the last sample whose distance is known.
+        const int32_t left_q10 = known_q10 - depth_q10 - cutoff_q10;
+        const int32_t part_q8 = clamp(left_q10 >> (2 + scale_log2), 0, 256);
+        result = line(to_phase * static_cast<uint32_t>(depth_q10) - start,
+                      dark * part_q8 >> 8);
         break;
+      }
       case PrintStyle::engraving: {
         // Lines follow the height: a parabola up to the flat part.
         const int32_t left = slope_q10 - clamp(depth_q10, 0, slope_q10);
@@ -165,7 +168,7 @@ struct Printer {
   }
 };
 
-Printer::Printer(const PrintLook& look, int32_t scale_log2) noexcept
+Printer::Printer(const PrintLook& look, int32_t grid_scale_log2) noexcept
     : style(look.style),
       pitch_q10(clamp(look.pitch.raw, 2 << 6, 64 << 6) * 16),
       slope_q10(clamp(look.slope.raw, 1 << 6, 32 << 6) * 16),
@@ -185,9 +188,11 @@ Printer::Printer(const PrintLook& look, int32_t scale_log2) noexcept
       across_y_q13(cosine(look.screen).raw >> 1),
       screen_x(look.screen_x),
       screen_y(look.screen_y),
-      cutoff_q10(
-          clamp(look.cutoff.raw, -(1 << 15), 1 << 15) * (1 << scale_log2) >> 3),
-      known_q10((31 << 10 << scale_log2) >> 3) {}
+      cutoff_q10(clamp(look.cutoff.raw, -(1 << 15), 1 << 15) *
+                     (1 << grid_scale_log2) >>
+                 3),
+      scale_log2(grid_scale_log2),
+      known_q10((31 << 10 << grid_scale_log2) >> 3) {}
 
 // How dark a place is, on a dome whose slope falls from 1 at the edge to 0.
 int32_t Printer::shade(const GridPoint& at) const noexcept {
