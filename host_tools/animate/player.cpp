@@ -95,8 +95,7 @@ class ScenePlayer : public Player {
               int width,
               int height,
               std::optional<kinetic::PrintStyle> print)
-      : print_(print),
-        grid_(Scene::needs(width, height).grid),
+      : grid_(Scene::needs(width, height).grid),
         particles_(Scene::needs(width, height).particles),
         homes_(Scene::needs(width, height).homes),
         scene_({&font,
@@ -106,8 +105,13 @@ class ScenePlayer : public Player {
                 {{grid_.data(), grid_.size()},
                  {particles_.data(), particles_.size()},
                  {homes_.data(), homes_.size()}},
-                {workspace_.data(), workspace_.size()},
-                print_ ? &*print_ : nullptr}) {}
+                {workspace_.data(), workspace_.size()}}) {
+    if constexpr (std::is_same_v<Scene, scenes::VortexScene>) {
+      if (print) {
+        scene_.print_as(*print);
+      }
+    }
+  }
 
   Status open() override { return scene_.open(); }
   void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
@@ -154,7 +158,6 @@ class ScenePlayer : public Player {
   }
 
  private:
-  std::optional<kinetic::PrintStyle> print_;
   std::vector<int8_t> grid_;
   std::vector<kinetic::Particle> particles_;
   std::vector<kinetic::ParticleHome> homes_;

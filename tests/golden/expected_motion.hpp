@@ -18,7 +18,7 @@ inline constexpr const char* kFigure15Hash =
 inline constexpr const char* kMeltHash =
     "dc4c71d4ba33393e136d470decf0737ada9ad6f4628704da13c9999608d42a4b";
 inline constexpr const char* kPrintHash =
-    "5072c13f09e48538a4f2fe85c8b6b56fa2184de8ae13560671ecdc6282f63f10";
+    "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =
     "ca0f00e70773326db7f67bfaab3070eabf79bad18a8dfbd247d0ce967802bb3b";
 inline constexpr const char* kTickerHash =

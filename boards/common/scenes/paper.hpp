@@ -8,7 +8,6 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/particle_homes.hpp"
 #include "inkcell/kinetic/particles.hpp"
-#include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text.hpp"
@@ -78,8 +77,6 @@ struct SceneSetting {
   SceneMemory memory;  // at least needs() of width and height
   /// Speeds up large glyphs, and saves 1.1 KB of stack.
   Workspace workspace = {};
-  /// The style in which figure15 prints its letter; null: in layers.
-  const kinetic::PrintStyle* print = nullptr;
 };
 
 /// A colour between two. [part of 256]

@@ -65,8 +65,7 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
       text_(setting.text),
       width_(setting.width),
       height_(setting.height),
-      workspace_(setting.workspace),
-      print_(setting.print) {
+      workspace_(setting.workspace) {
   const int32_t scale = scale_for(width_);
   const int32_t columns = DistanceGrid::samples_of(width_, scale);
   const int32_t rows = DistanceGrid::samples_of(height_, scale);
@@ -223,7 +222,7 @@ void VortexScene::draw_shape(const Paper& paper,
   const int32_t thinner_q6 = lerp(0, 12 * 64, thinned);
   const auto opacity =
       static_cast<uint8_t>(lerp(255, 0, fraction(46000, 65536, thinned.raw)));
-  if (print_ != nullptr) {
+  if (is_print_) {
     draw_print(paper, grid, thinner_q6 * height_ / 240, opacity);
     return;
   }
@@ -241,11 +240,11 @@ void VortexScene::draw_print(const Paper& paper,
                              const DistanceGrid& grid,
                              int32_t thinner_q6,
                              uint8_t opacity) const noexcept {
-  const PrintInks& inks = kPrintInks[static_cast<uint32_t>(*print_)];
+  const PrintInks& inks = kPrintInks[static_cast<uint32_t>(print_)];
   const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
   const Q16_16 turned = ease(kEaseInOut, fraction(kBegins, kEnds, now));
   PrintLook look;
-  look.style = *print_;
+  look.style = print_;
   look.light = from_degrees(-45);
   look.screen = Angle::from_raw(
       static_cast<uint16_t>(from_degrees(inks.screen).raw + turned.raw));

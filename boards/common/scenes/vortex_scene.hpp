@@ -7,6 +7,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
+#include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -39,6 +40,12 @@ class VortexScene {
   VortexScene(const VortexScene&) = delete;
   VortexScene& operator=(const VortexScene&) = delete;
 
+  /// Prints the letter, instead of drawing it in layers.
+  void print_as(kinetic::PrintStyle style) noexcept {
+    print_ = style;
+    is_print_ = true;
+  }
+
   /// bad_argument: the text has no ink. buffer_small: the memory.
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
@@ -70,7 +77,8 @@ class VortexScene {
   kinetic::DistanceGrid grid_;
   kinetic::DistanceGrid next_;  // or what is left of the letter before
   Workspace workspace_;
-  const kinetic::PrintStyle* print_;
+  kinetic::PrintStyle print_ = kinetic::PrintStyle::relief;
+  bool is_print_ = false;
   kinetic::GridHistogram scratch_;
   Fixed<int32_t, 13> cutoff_;  // of the letter that was wound up
   int32_t area_ = 0;

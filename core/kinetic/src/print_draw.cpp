@@ -133,13 +133,15 @@ struct Printer {
                int32_t width_q8,
                int32_t density_q13 = kOneQ13) const noexcept {
     const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
-    int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
-    int32_t half_q10 = pitch_q10 * width_q8 >> 9;
-    if (density_q13 != kOneQ13) {
-      px_q10 = px_q10 * kOneQ13 / density_q13;
-      half_q10 = half_q10 * kOneQ13 / density_q13;
-    }
-    return clamp((half_q10 - px_q10 + 512) >> 2, 0, min(half_q10 >> 1, kBlack));
+    const int32_t away_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
+    const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
+    // Half a pixel.
+    const int32_t soft_q10 = density_q13 >> 4;
+    const int32_t inside_q10 =
+        min(half_q10 - away_q10 + soft_q10, 2 * half_q10);
+    return inside_q10 <= 0              ? 0
+           : inside_q10 >= 2 * soft_q10 ? kBlack
+                                        : inside_q10 * 128 / soft_q10;
   }
 
   // How dense lines are that bend over the slope: the length of the gradient of
