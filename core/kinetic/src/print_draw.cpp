@@ -148,6 +148,9 @@ struct Printer {
   // their phase. Below 4.
   int32_t bent_density_q13(const GridPoint& at) const noexcept {
     const int32_t steep = steep_q8(at.distance_q10);
+    if (steep <= 0) {
+      return kOneQ13;
+    }
     // Lines across the screen's angle, and 3/2 of the slope of the dome.
     const int32_t x =
         across_x_q13 + (clamp(at.x_slope_q13, -8192, 8192) * steep * 3 >> 9);
