@@ -31,8 +31,8 @@ inkcell_packages_tests="$inkcell_packages_windows
   git clang lld nodejs ccache make meson libgtest-dev
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-liberation
-  fonts-dejavu-extra fonts-inter fonts-lato fonts-noto-cjk fonts-lohit-deva
-  fonts-tlwg-loma-ttf
+  fonts-dejavu-extra fonts-inter fonts-inter-variable fonts-lato
+  fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf
   librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 

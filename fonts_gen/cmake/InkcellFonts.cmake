@@ -8,7 +8,8 @@
 #     [STRINGS <file of strings>...] [STRICT]
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
-#     [FACE <n>] [INSTANCE <name>] [AXIS <tag=value>...]    of a variable font
+#     [FACE <n>] [INSTANCE <name>]    of a variable font
+#     [AXIS <tag=value, or tag=from..to>...]    the latter: with second masters
 #     [CODING outline|field] [HINTS on|off] [MORPH <characters>...]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]

@@ -84,6 +84,10 @@ void take_morphs(const Font& font, FontCensus& census) {
   if (morphs.size >= format::morphs::kBytes) {
     census.morph_pairs =
         static_cast<int>(read_u16(morphs.data + format::morphs::kPairs));
+    const auto first =
+        static_cast<int>(read_u16(morphs.data + format::morphs::kMasters));
+    const auto glyphs = static_cast<int>(font.glyph_count());
+    census.masters = first == 0 || first > glyphs ? 0 : glyphs - first;
   }
 }
 

@@ -70,6 +70,7 @@ struct FontCensus {
   FontRange range;
   bool fixed_predicate = false;
   int morph_pairs = 0;
+  int masters = 0;  // glyphs that are second masters
   int left_classes = 0;
   int right_classes = 0;
   size_t header_bytes = 0;

@@ -394,6 +394,9 @@ std::string font_report(const FontCensus& font) {
   if (font.morph_pairs != 0) {
     append(out, "  morphs          %d pairs\n", font.morph_pairs);
   }
+  if (font.masters != 0) {
+    append(out, "  second masters  %d glyphs\n", font.masters);
+  }
   if (font.has_outlines()) {
     append(out, "  at most         %d points in a glyph\n", font.max_points);
   } else {
@@ -462,6 +465,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"characters", font.characters},
       {"kerning_classes", {font.left_classes, font.right_classes}},
       {"morph_pairs", font.morph_pairs},
+      {"masters", font.masters},
       {"section_bytes", sections},
       {"hints", hints_json(font.hints)},
       {"coding", font.coding_name},

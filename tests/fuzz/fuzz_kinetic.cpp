@@ -242,11 +242,15 @@ void use_grids(const Font& font, Choices& choices) {
   OutlineMorph outlines;
   const uint16_t from = choices.byte() % 4;
   const uint16_t to = choices.byte() % 4;
-  if (OutlineMorph::open(font, from, to, outlines) == Status::ok) {
+  const Status opened[] = {OutlineMorph::open(font, from, to, outlines),
+                           OutlineMorph::open_master(font, from, outlines)};
+  if (opened[0] == Status::ok || opened[1] == Status::ok) {
     alignas(4) uint8_t ram[2048];
     const Style style(choices.q6(), kFilterMotion);
+    const Q16_16 progress = choices.q16();
+    static_cast<void>(outlines.advance(style, progress));
     outlines.draw(Painter(canvas.sink(), Span<uint8_t>(ram)), style, {x, y},
-                  choices.q16());
+                  progress);
   }
 }
 

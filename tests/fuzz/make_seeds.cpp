@@ -191,13 +191,14 @@ std::vector<uint8_t> sample_font() {
   return font;
 }
 
-// A bar that becomes an L, and a bar that becomes a frame: its hole grows from
-// a slit. Numbers of points are as docs/FORMAT.md counts them.
+// A bar that becomes an L, and a bar that becomes a frame, its second master:
+// its hole grows from a slit. Numbers of points are as docs/FORMAT.md counts
+// them.
 std::vector<uint8_t> morphing_font() {
   using namespace outline_record;
-  uint8_t morphs[6 + 2 * 2 + 2 * 16] = {2, 0,          4, 8,          80,
-                                        0, 1 | 2 << 4, 0, 1 | 3 << 4, 16};
-  BitWriter first({morphs + 10, 16});
+  uint8_t morphs[8 + 2 * 2 + 2 * 16] = {2, 0, 4,          8, 80,         0,
+                                        3, 0, 1 | 2 << 4, 0, 1 | 3 << 4, 16};
+  BitWriter first({morphs + 12, 16});
   const auto put_stop = [](BitWriter& bits, uint32_t point, uint32_t part) {
     bits.put(point, 4);
     bits.put(part, 3);
@@ -212,7 +213,7 @@ std::vector<uint8_t> morphing_font() {
   first.put(1, 3);
   first.put(0, 1);
   first.put(2, 2);  // stays
-  BitWriter second({morphs + 26, 16});
+  BitWriter second({morphs + 28, 16});
   second.put(4, 4);
   second.put(1, 2);
   second.put(4, 7);

@@ -18,6 +18,11 @@ inline constexpr char kLiberationSerif[] =
     "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf";
 inline constexpr char kRoboto[] =
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf";
+/// A variable font: wght 100..900, slnt -10..0.
+inline constexpr char kInterVariable[] =
+    "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf";
+inline constexpr char kInterItalicVariable[] =
+    "/usr/share/fonts/truetype/inter-vf/Inter-italic.var.ttf";
 inline constexpr char kNotoSansCjk[] =
     "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
 

@@ -164,11 +164,11 @@ std::vector<MorphEntry> read_morphs(const std::vector<uint8_t>& section) {
   const int glyph_bits = section.at(2);
   const int offset_bits = section.at(3);
   const auto row = static_cast<size_t>(2 * glyph_bits + offset_bits);
-  const size_t table_end = 6 + (count * row + 7) / 8;
+  const size_t table_end = 8 + (count * row + 7) / 8;
   std::vector<MorphEntry> entries;
   std::vector<size_t> begins;
   for (size_t i = 0; i < count; ++i) {
-    const size_t bit = 48 + i * row;
+    const size_t bit = 64 + i * row;
     const auto bits = static_cast<size_t>(glyph_bits);
     entries.push_back(
         {static_cast<int>(number_at(section, bit, glyph_bits)),

@@ -12,6 +12,7 @@
 #include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/port/a8.hpp"
 #include "morph/find_morph.hpp"
+#include "morph/master_morph.hpp"
 #include "morph_reader.hpp"
 #include "outline_reader.hpp"
 #include "outlines/outline_steps.hpp"
@@ -25,7 +26,7 @@ using kinetic::OutlineMorph;
 using Polygons = std::vector<std::vector<Point>>;
 
 constexpr int kSteps = 16;
-constexpr int kSide = 104;  // of a canvas [px]
+constexpr int kSide = 136;  // of a canvas [px]
 constexpr Q26_6 kSize = Q26_6::from_int(96);
 constexpr inkcell::Point kOrigin = {16, 84};
 
@@ -95,13 +96,8 @@ double detour(const std::vector<double>& values) {
 }
 
 // A font in memory at a multiple of 4, and its outlines.
-struct Digits {
-  explicit Digits(const std::string& file, const std::string& morphs) {
-    GenerateRequest request;
-    request.font = file;
-    request.chars = {"0-9"};
-    request.target.max_px = 96;
-    request.morphs = {morphs};
+struct MorphFont {
+  explicit MorphFont(const GenerateRequest& request) {
     const RomFont rom = generate(request);
     warnings = rom.warnings;
     words.resize(rom.bytes.size() / 4 + 1);
@@ -126,21 +122,55 @@ struct Digits {
         record_start(metrics.x_min, metrics.y_min, grid_shift), 10000);
   }
 
+  bool is_composite(int glyph) const {
+    const auto id = static_cast<uint16_t>(glyph);
+    return font.record(id).data[0] == format::composite::kType;
+  }
+
   std::vector<uint32_t> words;
   Font font;
   Warnings warnings;
 };
 
+MorphFont digits_of(const std::string& file, const std::string& morphs) {
+  GenerateRequest request;
+  request.font = file;
+  request.chars = {"0-9"};
+  request.target.max_px = 96;
+  request.morphs = {morphs};
+  return MorphFont(request);
+}
+
+using Pixels = std::vector<uint8_t>;
+
+// What `draw` draws with a painter.
+template <typename Draw>
+Pixels drawn(const Draw& draw) {
+  alignas(4) static uint8_t ram[8192];
+  Pixels pixels(size_t{kSide} * kSide);
+  const port::A8Canvas canvas(
+      {{pixels.data(), pixels.size()}, 0, 0, kSide, kSide, kSide});
+  draw(Painter(canvas, Span<uint8_t>(ram)));
+  return pixels;
+}
+
+Pixels frame(const OutlineMorph& morph, int step) {
+  return drawn([&](const Painter& painter) {
+    morph.draw(painter, Style(kSize), kOrigin,
+               Q16_16::from_raw(step * 65536 / kSteps));
+  });
+}
+
+Pixels plain(const Font& font, int glyph) {
+  return drawn([&](const Painter& painter) {
+    painter.glyph(font, Style(kSize), kOrigin, static_cast<uint16_t>(glyph));
+  });
+}
+
 // The coverage of a frame. [px]
 double ink(const OutlineMorph& morph, int step) {
-  alignas(4) static uint8_t ram[4096];
-  static uint8_t pixels[kSide * kSide];
-  std::fill(std::begin(pixels), std::end(pixels), uint8_t{0});
-  const port::A8Canvas canvas({pixels, 0, 0, kSide, kSide, kSide});
-  morph.draw(Painter(canvas, Span<uint8_t>(ram)), Style(kSize), kOrigin,
-             Q16_16::from_raw(step * 65536 / kSteps));
   double sum = 0;
-  for (const uint8_t pixel : pixels) {
+  for (const uint8_t pixel : frame(morph, step)) {
     sum += pixel / 255.0;
   }
   return sum;
@@ -151,7 +181,7 @@ class DigitMorphs : public testing::TestWithParam<const char*> {};
 
 TEST_P(DigitMorphs, KeepTheirAreaAndDoNotCross) {
   const char* const file = GetParam();
-  const Digits digits(file, "0123456789");
+  const MorphFont digits = digits_of(file, "0123456789");
   const std::vector<uint8_t> section =
       bytes_of(digits.font.section(format::section::kMorphs));
   const std::vector<MorphEntry> pairs = read_morphs(section);
@@ -201,6 +231,89 @@ TEST_P(DigitMorphs, KeepTheirAreaAndDoNotCross) {
 
 INSTANTIATE_TEST_SUITE_P(Faces, DigitMorphs, testing::ValuesIn(kFaces));
 
+struct Masters {
+  const char* file;
+  std::vector<const char*> axes;
+};
+
+// Figures of printable ASCII of a variable font: they are printed.
+class MasterMorphs : public testing::TestWithParam<Masters> {};
+
+TEST_P(MasterMorphs, KeepTheirAreaAndDoNotCross) {
+  const auto& [file, axes] = GetParam();
+  GenerateRequest request;
+  request.font = file;
+  request.target.max_px = 96;
+  for (const char* const axis : axes) {
+    request.axes.push_back(parse_axis_range(axis));
+  }
+  const MorphFont letters(request);
+  EXPECT_TRUE(letters.warnings.empty());
+  const std::vector<uint8_t> section =
+      bytes_of(letters.font.section(format::section::kMorphs));
+  const std::vector<MorphEntry> pairs = read_morphs(section);
+  const size_t masters = section.at(6) + size_t{section.at(7)} * 256;
+  EXPECT_EQ(letters.font.glyph_count(), masters + pairs.size());
+  int composites = 0;
+  double worst_area = 0;
+  double worst_ink = 0;
+  for (const MorphEntry& pair : pairs) {
+    const std::string name =
+        std::string(file) + ", glyph " + std::to_string(pair.first);
+    const auto first = static_cast<uint16_t>(pair.first);
+    OutlineMorph morph;
+    ASSERT_EQ(OutlineMorph::open_master(letters.font, first, morph), Status::ok)
+        << name;
+    ASSERT_EQ(morph.to(), pair.second) << name;
+    ASSERT_GE(morph.to(), masters) << name;
+    EXPECT_EQ(frame(morph, 0), plain(letters.font, pair.first)) << name;
+    EXPECT_EQ(frame(morph, kSteps), plain(letters.font, pair.second)) << name;
+    if (letters.font.record(first).size == 0) {
+      EXPECT_EQ(ink(morph, kSteps / 2), 0) << name;
+      continue;
+    }
+    std::vector<double> inks;
+    for (int step = 0; step <= kSteps; ++step) {
+      inks.push_back(ink(morph, step));
+    }
+    worst_ink = std::max(worst_ink, detour(inks));
+    EXPECT_LE(detour(inks), kGoodAreaError + 0.01) << name;
+    if (letters.is_composite(pair.first) || letters.is_composite(pair.second)) {
+      ++composites;  // the plain reader below reads none
+      continue;
+    }
+    std::vector<double> areas;
+    for (int step = 0; step <= kSteps; ++step) {
+      const Polygons polygons =
+          read_morph(pair.record, letters.outline_of(pair.first),
+                     letters.outline_of(pair.second),
+                     static_cast<double>(step) / kSteps, 5);
+      areas.push_back(area(polygons));
+      if (step != 0 && step != kSteps) {
+        ASSERT_EQ(crossings(polygons), 0) << name << ", step " << step;
+      }
+    }
+    worst_area = std::max(worst_area, detour(areas));
+    EXPECT_LE(detour(areas), kGoodAreaError + 0.001) << name;
+  }
+  std::printf(
+      "%s %s: %zu of 94 letters, %d by their ink alone, %zu bytes, area off by "
+      "%.1f %% at worst, ink by %.1f %%\n",
+      file, axes.front(), pairs.size() - 1, composites, section.size(),
+      100 * worst_area, 100 * worst_ink);
+  EXPECT_EQ(pairs.size(), 95u);  // with the blank, whose advance changes
+  EXPECT_LE(composites, 4);
+  EXPECT_LE(section.size(), 20 * pairs.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faces,
+    MasterMorphs,
+    testing::Values(Masters{kInterVariable, {"wght=300..800"}},
+                    Masters{kInterVariable, {"wght=900..100"}},
+                    Masters{kInterVariable, {"slnt=0..-10", "wght=300..800"}},
+                    Masters{kInterItalicVariable, {"wght=300..800"}}));
+
 TEST(Morph, RecordIsThatOfTheDocument) {
   // A contour of two triangles.
   const std::vector<uint8_t> record = {0x34, 0x19, 0x08};
@@ -221,7 +334,7 @@ TEST(Morph, RecordIsThatOfTheDocument) {
 }
 
 TEST(Morph, GroupsArePairedAndTheRestIsNot) {
-  const Digits digits(kDejaVuSans, "01 23");
+  const MorphFont digits = digits_of(kDejaVuSans, "01 23");
   const auto opens = [&digits](char from, char to) {
     OutlineMorph morph;
     return OutlineMorph::open(
@@ -264,6 +377,50 @@ TEST(Morph, RefusesWhatItCannotPair) {
   request.morphs = {"1\xee\x84\xa3"};  // U+E123
   request.strict = true;
   EXPECT_NE(refusal(request).find("--morph: "), std::string::npos);
+}
+
+TEST(Morph, RefusesMastersThatFontsCannotHold) {
+  GenerateRequest request;
+  request.font = kInterVariable;
+  request.axes = {parse_axis_range("wght=300..950")};
+  EXPECT_EQ(refusal(request),
+            "Inter.var.ttf: wght=950 is out of range; the axes are wght "
+            "100..900 (default 400), slnt -10..0 (default 0)");
+  request.axes = {parse_axis_range("wght=300..800")};
+  request.target.coding = Coding::field;
+  EXPECT_EQ(refusal(request),
+            "--axis with two values makes outlines that morph; use --coding "
+            "outline, or give one value");
+  request.target.coding = Coding::outline;
+  request.paged = 512;
+  EXPECT_EQ(refusal(request),
+            "--axis with two values needs a font in mapped memory; leave "
+            "--paged out, or give one value");
+}
+
+std::string refused_axis(const char* text) {
+  try {
+    parse_axis_range(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Morph, ReadsAxesThatMove) {
+  const AxisSetting moved = parse_axis_range("opsz=14.5..-32");
+  EXPECT_EQ(moved.tag, "opsz");
+  EXPECT_EQ(moved.value, 14.5);
+  EXPECT_EQ(moved.second, -32);
+  EXPECT_FALSE(parse_axis_range("wght=300").second);
+  for (const char* const text : {"wght=..800", "wght=300..", "wght=3..4..5"}) {
+    EXPECT_EQ(refused_axis(text),
+              "'" + std::string(text) +
+                  "' is not TAG=FROM..TO, such as wght=300..800");
+  }
+  EXPECT_EQ(refused_axis("wght=300..300"),
+            "'wght=300..300' moves nothing: both masters are at the same "
+            "place; give two values, such as wght=300..800");
 }
 
 // A triangle of three lines.
@@ -327,6 +484,24 @@ TEST(Morph, ContoursSplitAndJoin) {
       EXPECT_LT(length(piece.side[0].p[0] - piece.side[1].p[0]), 50);
     }
   }
+}
+
+TEST(Morph, MastersSayWhatBecomesWhat) {
+  // Both bars move to the right: the nearest one is not the partner.
+  const Outline first =
+      outline({rectangle(0, 0, 400, 100), rectangle(0, 300, 400, 400)});
+  const Outline second =
+      outline({rectangle(50, 300, 450, 410), rectangle(1200, 300, 1500, 420)});
+  const std::optional<MorphPair> pair =
+      find_master_morph(first, second, {first, second});
+  ASSERT_TRUE(pair);
+  ASSERT_EQ(pair->contours.size(), 2u);
+  const MorphPolygons end = morph_polygons(*pair, 1, 1);
+  EXPECT_EQ(end[0][0].x, 50);
+  EXPECT_EQ(end[1][0].x, 1200);
+  // Other numbers of points: the masters say nothing.
+  EXPECT_FALSE(find_master_morph(
+      first, second, {first, outline({triangle(0, 0), triangle(400, 0)})}));
 }
 
 TEST(Morph, NothingMorphsIntoABlank) {

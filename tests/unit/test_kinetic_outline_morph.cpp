@@ -101,7 +101,8 @@ size_t write_frame(Span<uint8_t> out) {
 }
 
 // Rows of 4, 4 and 8 bits.
-constexpr size_t kTableEnd = 6 + 2 * kPairs;
+constexpr size_t kTable = 8;
+constexpr size_t kTableEnd = kTable + 2 * kPairs;
 constexpr size_t kMorphBytes = kTableEnd + kPairs * kRecordBytes;
 
 size_t write_morphs(uint8_t (&out)[kMorphBytes]) {
@@ -116,8 +117,8 @@ size_t write_morphs(uint8_t (&out)[kMorphBytes]) {
                                             write_frame};
   for (uint32_t i = 0; i < kPairs; ++i) {
     const uint32_t first = 1 + 3 * i;
-    out[6 + 2 * i] = static_cast<uint8_t>(first | (first + 1) << 4);
-    out[7 + 2 * i] = static_cast<uint8_t>(i * kRecordBytes);
+    out[kTable + 2 * i] = static_cast<uint8_t>(first | (first + 1) << 4);
+    out[kTable + 2 * i + 1] = static_cast<uint8_t>(i * kRecordBytes);
     CHECK(write[i]({out + kTableEnd + i * kRecordBytes, kRecordBytes}) <=
           kRecordBytes);
   }
@@ -377,13 +378,56 @@ TEST(pairs_that_fonts_do_not_hold) {
   CHECK_EQ(differences(), 0);
 }
 
-// What Font::verify says after one byte of the section became another.
-Status verify_with(size_t at, uint8_t value) {
+// The font, in which a byte of the section became another.
+Font font_with(size_t at, uint8_t value) {
   build_font();
   Font font;
   CHECK_OK(Font::open({font_bytes, font_size}, font));
   const Span<const uint8_t> section = font.section(format::section::kMorphs);
   font_bytes[section.data - font_bytes + static_cast<ptrdiff_t>(at)] = value;
+  return font;
+}
+
+TEST(masters_of_glyphs) {
+  // Glyph 2 is the second master of 1, 5 that of 4, 8 that of 7.
+  Font font = font_with(6, 5);
+  OutlineMorph morph;
+  CHECK_OK(OutlineMorph::open_master(font, 4, morph));
+  CHECK_EQ(morph.from(), 4);
+  CHECK_EQ(morph.to(), 5);
+  CHECK_OK(OutlineMorph::open_master(font, 7, morph));
+  CHECK_EQ(morph.to(), 8);
+  const uint16_t kOthers[] = {0, 1, 2, 3, 5, 8, 9, 10, 0xffff};
+  for (const uint16_t glyph : kOthers) {
+    CHECK(OutlineMorph::open_master(font, glyph, morph) == Status::no_glyph);
+    CHECK_EQ(morph.to(), 8);
+  }
+  // There are none.
+  font = font_with(6, 0);
+  CHECK(OutlineMorph::open_master(font, 4, morph) == Status::no_glyph);
+  CHECK(OutlineMorph::open_master(Font(), 0, morph) == Status::no_glyph);
+  build_font();
+}
+
+TEST(advances_between_glyphs) {
+  // 768 and 640 units of 1024: 48 and 40 px.
+  // The pair 6 7 in place of 7 8.
+  const Font font = font_with(kTable + 4, 6 | 7 << 4);
+  const Style style(kSize);
+  OutlineMorph morph;
+  CHECK_OK(OutlineMorph::open(font, 6, 7, morph));
+  CHECK_EQ(morph.advance(style, Q16_16()).raw, 48 * 64);
+  CHECK_EQ(morph.advance(style, kHalf).raw, 44 * 64);
+  CHECK_EQ(morph.advance(style, Q16_16::from_int(1)).raw, 40 * 64);
+  CHECK_EQ(morph.advance(style, Q16_16::from_int(3)).raw, 40 * 64);
+  CHECK_EQ(morph.advance(style, Q16_16::from_int(-1)).raw, 48 * 64);
+  CHECK_EQ(OutlineMorph().advance(style, kHalf).raw, 0);
+  build_font();
+}
+
+// What Font::verify says after one byte of the section became another.
+Status verify_with(size_t at, uint8_t value) {
+  Font font = font_with(at, value);
   CHECK(font_builder::repair_checksums({font_bytes, font_size}));
   CHECK_OK(Font::open({font_bytes, font_size}, font));
   return font.verify();
@@ -396,12 +440,15 @@ TEST(verify_reads_morphs) {
   CHECK_EQ(verify_with(3, 26), Status::corrupt);   // bits of an offset
   CHECK_EQ(verify_with(4, 12), Status::corrupt);   // points of the L: 13
   // Pairs 1 2, 4 5, 7 8.
-  CHECK_EQ(verify_with(6, 1 | 1 << 4), Status::corrupt);
-  CHECK_EQ(verify_with(8, 1 | 2 << 4), Status::corrupt);
-  CHECK_EQ(verify_with(8, 1 | 3 << 4), Status::ok);
-  CHECK_EQ(verify_with(10, 7 | 10 << 4), Status::corrupt);  // of ten glyphs
-  CHECK_EQ(verify_with(9, 0), Status::corrupt);             // no bytes
-  CHECK_EQ(verify_with(9, 200), Status::corrupt);
+  CHECK_EQ(verify_with(8, 1 | 1 << 4), Status::corrupt);
+  CHECK_EQ(verify_with(10, 1 | 2 << 4), Status::corrupt);
+  CHECK_EQ(verify_with(10, 1 | 3 << 4), Status::ok);
+  CHECK_EQ(verify_with(12, 7 | 10 << 4), Status::corrupt);  // of ten glyphs
+  CHECK_EQ(verify_with(11, 0), Status::corrupt);            // no bytes
+  CHECK_EQ(verify_with(11, 200), Status::corrupt);
+  // Masters from 8 on: glyph 7 has one. From 7 on: 7 is one itself.
+  CHECK_EQ(verify_with(6, 8), Status::ok);
+  CHECK_EQ(verify_with(6, 7), Status::corrupt);
   // 96 pieces: too many points.
   CHECK_EQ(verify_with(kTableEnd, 0x37), Status::corrupt);
   build_font();

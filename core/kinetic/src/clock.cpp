@@ -2,7 +2,6 @@
 #include "inkcell/kinetic/clock.hpp"
 
 #include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
@@ -108,9 +107,7 @@ void Clock::draw_digit(const Painter& painter,
                  Status::ok &&
              OutlineMorph::workspace_bytes(font) <= painter.ram().size) {
     // Glyphs are centred by their advance.
-    const int32_t advance_q6 =
-        lerp(to_px(font, style, font.advance(glyphs[0])).raw,
-             to_px(font, style, font.advance(glyphs[1])).raw, part);
+    const int32_t advance_q6 = morph.advance(style, part).raw;
     Sink sink = painter.sink();
     sink.window = intersect(sink.window, cell(digit));
     if (!is_empty(sink.window)) {

@@ -5,6 +5,8 @@
 #include "base/bytes.hpp"
 #include "base/modular.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/text.hpp"
 #include "limits.hpp"
 #include "morph_record.hpp"
 #include "outlines/outline_glyph.hpp"
@@ -210,25 +212,48 @@ class MorphTable {
 
   // Empty: there is none.
   Span<const uint8_t> find(uint32_t first, uint32_t second) const noexcept {
+    const uint32_t end = rows_up_to(first, second);
+    return end != 0 && first_of(end - 1) == first &&
+                   second_of(end - 1) == second
+               ? record(end - 1)
+               : Span<const uint8_t>();
+  }
+
+  // The second master of a glyph; the glyph itself: there is none.
+  uint16_t master_of(uint16_t glyph) const noexcept {
+    const uint32_t end = rows_up_to(glyph, 0xffff);
+    if (end == 0 || first_of(end - 1) != glyph) {
+      return glyph;
+    }
+    // Masters have the highest ids, so they are the last partners.
+    const uint32_t masters = detail::load_u16(section_.data + morphs::kMasters);
+    const uint32_t last = second_of(end - 1);
+    return masters == 0 || last < masters ? glyph : static_cast<uint16_t>(last);
+  }
+
+ private:
+  // How many rows are at or before a pair.
+  uint32_t rows_up_to(uint32_t first, uint32_t second) const noexcept {
     uint32_t begin = 0;
     uint32_t end = count_;
     while (begin < end) {
       const uint32_t middle = (begin + end) / 2;
-      const uint32_t a = number(middle, 0, glyph_bits_);
-      const uint32_t b = number(middle, glyph_bits_, glyph_bits_);
-      if (a == first && b == second) {
-        return record(middle);
-      }
-      if (a < first || (a == first && b < second)) {
+      const uint32_t a = first_of(middle);
+      if (a < first || (a == first && second_of(middle) <= second)) {
         begin = middle + 1;
       } else {
         end = middle;
       }
     }
-    return {};
+    return begin;
   }
 
- private:
+  uint32_t first_of(uint32_t row) const noexcept {
+    return number(row, 0, glyph_bits_);
+  }
+  uint32_t second_of(uint32_t row) const noexcept {
+    return number(row, glyph_bits_, glyph_bits_);
+  }
   uint32_t number(uint32_t row, uint32_t bit, uint32_t width) const noexcept {
     return detail::read_bits(section_,
                              8 * morphs::kBytes + row * row_bits_ + bit, width);
@@ -281,6 +306,25 @@ Status OutlineMorph::open(const Font& font,
   found.to_ = to;
   out = found;
   return Status::ok;
+}
+
+Status OutlineMorph::open_master(const Font& font,
+                                 uint16_t glyph,
+                                 OutlineMorph& out) noexcept {
+  const uint16_t master = MorphTable(font).master_of(glyph);
+  return master == glyph ? Status::no_glyph : open(font, glyph, master, out);
+}
+
+Q26_6 OutlineMorph::advance(const Style& style,
+                            Q16_16 progress) const noexcept {
+  if (font_ == nullptr) {
+    return {};
+  }
+  const auto px = [&](uint16_t glyph) {
+    return to_px(*font_, style, font_->advance(glyph)).raw;
+  };
+  return Q26_6::from_raw(lerp(
+      px(from_), px(to_), Q16_16::from_raw(clamp(progress.raw, 0, 1 << 16))));
 }
 
 bool OutlineMorph::draw_between(const Painter& painter,

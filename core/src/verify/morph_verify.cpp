@@ -93,6 +93,8 @@ bool morphs_fit(const Span<const uint8_t>& section,
   }
   const BitTable pairs = {&section, 8 * morphs::kBytes, row_bits};
   const uint32_t room = load_u16(section.data + morphs::kMaxPoints);
+  uint32_t masters = load_u16(section.data + morphs::kMasters);
+  masters = masters == 0 ? glyph_count : masters;
   const uint32_t begin = morphs::kBytes + (count * row_bits + 7) / 8;
   const auto size = static_cast<uint32_t>(section.size) - begin;
   uint32_t last_first = 0;
@@ -106,7 +108,9 @@ bool morphs_fit(const Span<const uint8_t>& section,
         i + 1 == count ? size : pairs.get(i + 1, 2 * glyph_bits, offset_bits);
     if (first >= second || second >= glyph_count || offset < end ||
         offset >= next || next > size || first < last_first ||
-        (i != 0 && first == last_first && second <= last_second)) {
+        (i != 0 && first == last_first &&
+         (second <= last_second || last_second >= masters)) ||
+        first >= masters) {
       return false;
     }
     if (!Record({section.data + begin + offset, next - offset}).fits(room)) {

@@ -8,8 +8,9 @@
 namespace inkcell {
 namespace detail {
 
-/// Whether pairs ascend and name glyphs that exist, and no record makes more
-/// points than the section says. An empty section fits.
+/// Whether pairs ascend and name glyphs that exist, a plain glyph has one second
+/// master at most, and no record makes more points than the section says. An
+/// empty section fits.
 bool morphs_fit(const Span<const uint8_t>& section,
                 uint32_t glyph_count) noexcept;
 

@@ -94,15 +94,16 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
                [&request](const std::vector<std::string>& settings) {
                  for (const std::string& text : settings) {
                    try {
-                     request.axes.push_back(parse_axis(text));
+                     request.axes.push_back(parse_axis_range(text));
                    } catch (const Error& error) {
                      throw CLI::ValidationError("--axis", error.what());
                    }
                  }
                },
                "Axis of a variable font, such as wght=600: it moves away from "
-               "the instance; repeatable"))
-      ->type_name("TAG=VALUE");
+               "the instance; repeatable. wght=300..800: each glyph gets a "
+               "second master, into which it morphs"))
+      ->type_name("TAG=VALUE|TAG=FROM..TO");
   take_one(app.add_option("--chars", request.chars,
                           "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "
                           "[0x20-0x7E if no character is asked for]"))

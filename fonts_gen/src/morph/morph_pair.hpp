@@ -49,7 +49,7 @@ struct MorphContour {
 };
 
 struct MorphPair {
-  std::vector<MorphContour> contours;
+  std::vector<MorphContour> contours;  // none: both glyphs are blank
 };
 
 /// A slit lengthens in the first quarter of the time. `progress`: from the

@@ -1,12 +1,14 @@
 #include "pipeline/font_morphs.hpp"
 
-#include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "base/work_pool.hpp"
 #include "morph/find_morph.hpp"
+#include "morph/master_morph.hpp"
 #include "morph/morph_record.hpp"
 #include "outlines/outline_steps.hpp"
 #include "rom/outline_font.hpp"
@@ -102,19 +104,40 @@ SegmentPoints numbers_of(const RomContent& content, size_t glyph) {
   return numbers;
 }
 
-RomMorph make_morph(const RomContent& content, const GlyphPair& glyphs) {
+std::optional<MorphPair> find_pair(const SourceFont& font,
+                                   const RomContent& content,
+                                   const GlyphPair& glyphs) {
+  const Outline first = decoded_outline(content, glyphs.first);
+  const Outline second = decoded_outline(content, glyphs.second);
+  if (!font.glyphs[glyphs.second].master.empty()) {
+    auto pair = find_master_morph(first, second,
+                                  {font.glyphs[glyphs.first].outline,
+                                   font.glyphs[glyphs.second].outline});
+    if (pair) {
+      return pair;
+    }
+  }
+  return find_morph(first, second);
+}
+
+RomMorph make_morph(const SourceFont& font,
+                    const RomContent& content,
+                    const GlyphPair& glyphs) {
   RomMorph morph;
   morph.first = glyphs.first;
   morph.second = glyphs.second;
+  if (!content.glyphs[glyphs.first].has_ink() &&
+      !content.glyphs[glyphs.second].has_ink()) {
+    morph.record = {0};  // no contours: only the advance changes
+    return morph;
+  }
   const SegmentPoints numbers[] = {numbers_of(content, glyphs.first),
                                    numbers_of(content, glyphs.second)};
   if (numbers[0].empty() || numbers[1].empty()) {
     return morph;
   }
   try {
-    const auto pair = find_morph(decoded_outline(content, glyphs.first),
-                                 decoded_outline(content, glyphs.second));
-    if (pair) {
+    if (const auto pair = find_pair(font, content, glyphs)) {
       morph.record = morph_record(*pair, numbers);
       morph.points =
           morph_points(*pair) + numbers[0].back() + numbers[1].back() + 2;
@@ -125,14 +148,51 @@ RomMorph make_morph(const RomContent& content, const GlyphPair& glyphs) {
   return morph;
 }
 
-// The least character of a glyph, for messages.
-std::string name_of(const RomContent& content, uint16_t glyph) {
-  for (const auto& [c, of] : content.glyph_of) {
-    if (of == glyph) {
-      return describe(c);
+// The plain glyphs with their second masters, and where these begin.
+std::set<GlyphPair> master_pairs(const SourceFont& font, size_t& begin) {
+  std::set<GlyphPair> pairs;
+  std::map<std::pair<size_t, uint32_t>, uint16_t> plain;
+  begin = 0;
+  for (size_t i = 0; i < font.glyphs.size(); ++i) {
+    const SourceGlyph& glyph = font.glyphs[i];
+    const auto id = static_cast<uint16_t>(i);
+    const std::pair key(glyph.face, glyph.source);
+    if (glyph.master.empty()) {
+      plain.emplace(key, id);
+      continue;
     }
+    begin = begin == 0 ? i : begin;
+    pairs.emplace(plain.at(key), id);
   }
-  return "?";
+  return pairs;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? " " : ", ") + name;
+  }
+  return text;
+}
+
+void tell_of_missing(const std::vector<std::string>& pairs,
+                     const std::vector<std::string>& masters,
+                     Warnings& warnings) {
+  if (!pairs.empty()) {
+    warnings.push_back(
+        {Warning::Kind::no_morph,
+         "--morph: no way without crossing outlines for" + listed(pairs) +
+             "; the font leaves these pairs out, GlyphMorph blends them by "
+             "their distances"});
+  }
+  if (!masters.empty()) {
+    warnings.push_back(
+        {Warning::Kind::no_morph,
+         "--axis: no way without crossing outlines to" + listed(masters) +
+             "; these letters stay as they are while others morph; bring "
+             "the values of the axis nearer to each other, or leave the "
+             "letters out"});
+  }
 }
 
 }  // namespace
@@ -144,30 +204,30 @@ void add_morph_characters(const GenerateRequest& request, CharSet& characters) {
 }
 
 void add_morphs(const GenerateRequest& request,
+                const SourceFont& font,
                 RomContent& content,
                 Warnings& warnings) {
-  const std::set<GlyphPair> set = pairs_of(groups_of(request), content);
+  std::set<GlyphPair> set = master_pairs(font, content.first_master);
+  set.merge(pairs_of(groups_of(request), content));
   const std::vector<GlyphPair> pairs(set.begin(), set.end());
   std::vector<RomMorph> morphs(pairs.size());
-  parallel_for(pairs.size(), request.threads,
-               [&](size_t i) { morphs[i] = make_morph(content, pairs[i]); });
-  std::string missing;
+  parallel_for(pairs.size(), request.threads, [&](size_t i) {
+    morphs[i] = make_morph(font, content, pairs[i]);
+  });
+  std::vector<std::string> missing_pairs;
+  std::vector<std::string> missing_masters;
   for (RomMorph& morph : morphs) {
-    if (morph.record.empty()) {
-      missing += (missing.empty() ? " " : ", ") +
-                 name_of(content, morph.first) + " and " +
-                 name_of(content, morph.second);
-    } else {
+    const SourceGlyph& second = font.glyphs[morph.second];
+    if (!morph.record.empty()) {
       content.morphs.push_back(std::move(morph));
+    } else if (second.master.empty()) {
+      missing_pairs.push_back(font.glyphs[morph.first].name() + " and " +
+                              second.name());
+    } else {
+      missing_masters.push_back(second.name());
     }
   }
-  if (!missing.empty()) {
-    warnings.push_back(
-        {Warning::Kind::no_morph,
-         "--morph: no way without crossing outlines for" + missing +
-             "; the font leaves these pairs out, GlyphMorph blends them by "
-             "their distances"});
-  }
+  tell_of_missing(missing_pairs, missing_masters, warnings);
 }
 
 }  // namespace inkcell::gen

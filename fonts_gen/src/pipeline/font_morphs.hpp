@@ -11,9 +11,11 @@ namespace inkcell::gen {
 /// names fewer than two in a group.
 void add_morph_characters(const GenerateRequest& request, CharSet& characters);
 
-/// Pairs the outlines of `content` that the texts name; its records must be
-/// encoded. A pair for which no way is found is left out, with a warning.
+/// Pairs the outlines of `content` that the texts name, and the masters of each
+/// glyph; its records must be encoded, its glyphs are those of `font`. A pair
+/// for which no way is found is left out, with a warning.
 void add_morphs(const GenerateRequest& request,
+                const SourceFont& font,
                 RomContent& content,
                 Warnings& warnings);
 

@@ -16,6 +16,7 @@
 #include "rom/rom_font.hpp"
 #include "source/faces.hpp"
 #include "source/icons.hpp"
+#include "source/masters.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -86,10 +87,10 @@ SourceFont load_source(const GenerateRequest& request,
   const std::vector<IconFile> icons =
       find_icons(request.svg_files, request.svg_folders);
   SourceFont font;
+  FontRequest first;
   if (request.font.empty()) {
     font = font_for_icons();
   } else {
-    FontRequest first;
     first.file = request.font;
     first.face = request.face;
     first.instance = request.instance;
@@ -109,6 +110,9 @@ SourceFont load_source(const GenerateRequest& request,
   if (!icons.empty()) {
     add_icons(icons, request.icon_place, font);
     renew_missing_warning(font, warnings);
+  }
+  if (has_second_master(first.axes)) {
+    add_masters(first, font, warnings);
   }
   return font;
 }
@@ -152,7 +156,7 @@ RomFont generate(const GenerateRequest& request) {
   }
   std::vector<LoopResult> errors;
   RomContent content = build_content(font, request, errors);
-  add_morphs(request, content, rom.warnings);
+  add_morphs(request, font, content, rom.warnings);
   // A font promises what it holds.
   content.options.tolerance = promised_tolerance(request.target, errors);
   PartBytes parts;

@@ -80,6 +80,12 @@ void check_request(const GenerateRequest& request) {
     throw Error(
         "--morph moves outlines; use --coding outline, or leave it out");
   }
+  const bool has_masters = has_second_master(request.axes);
+  if (target.coding != Coding::outline && has_masters) {
+    throw Error(
+        "--axis with two values makes outlines that morph; use --coding "
+        "outline, or give one value");
+  }
   if (request.paged != 0) {
     const std::set<int> sizes = {512, 1024, 2048, 4096};
     if (sizes.count(request.paged) == 0) {
@@ -93,6 +99,11 @@ void check_request(const GenerateRequest& request) {
       throw Error(
           "--morph needs a font in mapped memory; leave --paged out, or morph "
           "glyphs of another font");
+    }
+    if (has_masters) {
+      throw Error(
+          "--axis with two values needs a font in mapped memory; leave --paged "
+          "out, or give one value");
     }
     if (!request.string_files.empty()) {
       throw Error(

@@ -30,7 +30,8 @@ struct GenerateRequest {
   std::filesystem::path font;  // empty: icons alone
   std::optional<int> face;     // none: the first
   std::string instance;        // of a variable font, by its name
-  std::vector<AxisSetting> axes;
+  /// Where one moves to a second value, glyphs get a second master.
+  AxisSettings axes;
   /// Characters: the union of all four; printable ASCII if they are empty and
   /// there are no strings.
   std::vector<std::string> chars;  // lists as add_ranges reads them

@@ -61,6 +61,7 @@ struct RomContent {
   KerningMatrix kerning;
   FontHints hints;               // of outlines only
   std::vector<RomMorph> morphs;  // ascending by first and second
+  size_t first_master = 0;       // of the second masters; 0: there are none
   /// A block of a paged font; 0: it lies in mapped memory. [bytes]
   size_t block_bytes = 0;
 

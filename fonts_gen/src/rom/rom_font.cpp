@@ -194,6 +194,7 @@ Bytes morphs_section(const RomContent& content) {
   put_u8(out, glyph_bits);
   put_u8(out, offset_bits);
   put_u16(out, static_cast<unsigned>(points));
+  put_u16(out, static_cast<unsigned>(content.first_master));
   BitTableWriter table(out);
   for (size_t i = 0; i < begins.size(); ++i) {
     table.put(content.morphs[i].first, glyph_bits);

@@ -199,6 +199,9 @@ std::vector<KerningGlyph> kerning_glyphs(const SourceFont& font, size_t count) {
 }  // namespace
 
 std::string SourceGlyph::name() const {
+  if (!master.empty()) {
+    return master;
+  }
   if (!code_points.empty()) {
     return describe(code_points.front());
   }

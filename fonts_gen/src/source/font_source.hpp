@@ -41,7 +41,7 @@ struct FontRequest {
   std::filesystem::path file;
   std::optional<int> face;  // none: the first; a warning names it if need be
   std::string instance;     // by its name; may be empty
-  std::vector<AxisSetting> axes;
+  AxisSettings axes;
   CharSet characters;
   /// May be empty, as `characters` may then.
   LineShare lines;
@@ -68,6 +68,9 @@ struct SourceGlyph {
   uint32_t source = 0;                // id in the font file
   std::vector<char32_t> code_points;  // none: .notdef, or as stated below
   bool is_of_line = false;            // a shaped line has it; else a component
+  /// Of a second master: "U+0041 'A' at wght 800". It has no code points, and
+  /// the source and the face of the plain glyph.
+  std::string master;
   size_t face = 0;                    // number of its file
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
@@ -95,7 +98,7 @@ struct SourceFont {
   /// .notdef, then glyphs in the order of their smallest code points; then
   /// those of lines alone in the same order, those without code points last.
   /// With other faces or icons all code points are in one order. Code points
-  /// that share a glyph in the file share it here.
+  /// that share a glyph in the file share it here. Second masters are the last.
   std::vector<SourceGlyph> glyphs;
   /// The components of each glyph; only if asked for.
   std::vector<OutlineReferences> components;
@@ -113,7 +116,7 @@ struct SourceFont {
   /// Whether text may show a glyph; false for mere components.
   bool is_shown(size_t glyph) const {
     return glyph == 0 || !glyphs[glyph].code_points.empty() ||
-           glyphs[glyph].is_of_line;
+           glyphs[glyph].is_of_line || !glyphs[glyph].master.empty();
   }
 };
 

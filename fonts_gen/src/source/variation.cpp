@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -97,7 +98,52 @@ AxisSetting parse_axis(const std::string& text) {
   }
   std::string axis = text.substr(0, equals);
   axis.resize(4, ' ');
-  return {axis, parsed};
+  return {axis, parsed, {}};
+}
+
+AxisSetting parse_axis_range(const std::string& text) {
+  const size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    return parse_axis(text);
+  }
+  AxisSetting setting;
+  try {
+    setting = parse_axis(text.substr(0, dots));
+    setting.second =
+        parse_axis(text.substr(0, text.find('=') + 1) + text.substr(dots + 2))
+            .value;
+  } catch (const Error&) {
+    throw Error("'" + text + "' is not TAG=FROM..TO, such as wght=300..800");
+  }
+  if (*setting.second == setting.value) {
+    throw Error("'" + text +
+                "' moves nothing: both masters are at the same place; give two "
+                "values, such as wght=300..800");
+  }
+  return setting;
+}
+
+bool has_second_master(const AxisSettings& axes) {
+  return std::any_of(axes.begin(), axes.end(), [](const AxisSetting& axis) {
+    return axis.second.has_value();
+  });
+}
+
+AxisSettings second_master(AxisSettings axes) {
+  for (AxisSetting& axis : axes) {
+    axis.value = axis.second.value_or(axis.value);
+    axis.second.reset();
+  }
+  return axes;
+}
+
+std::string second_values(const AxisSettings& axes) {
+  AxisSettings moved;
+  std::copy_if(axes.begin(), axes.end(), std::back_inserter(moved),
+               [](const AxisSetting& axis) { return axis.second.has_value(); });
+  return listed(moved, [](const AxisSetting& axis) {
+    return axis.tag + " " + shown(*axis.second);
+  });
 }
 
 std::string Variation::instance() const {

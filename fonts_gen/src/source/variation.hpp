@@ -3,19 +3,36 @@
 
 #include <hb.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace inkcell::gen {
 
-/// A setting of a variable font, such as wght=600.
+/// A setting of a variable font, such as wght=600, or wght=300..800 for two
+/// masters.
 struct AxisSetting {
   std::string tag;  // four characters
   double value = 0;
+  std::optional<double> second;  // of the second master
 };
+
+using AxisSettings = std::vector<AxisSetting>;
 
 /// Reads "wght=600". Throws Error.
 AxisSetting parse_axis(const std::string& text);
+
+/// The same, and "wght=300..800". Throws Error.
+AxisSetting parse_axis_range(const std::string& text);
+
+/// Whether an axis moves from a first master to a second one.
+bool has_second_master(const AxisSettings& axes);
+
+/// The settings of the second master.
+AxisSettings second_master(AxisSettings axes);
+
+/// Those of the axes that move: "wght 800, wdth 75".
+std::string second_values(const AxisSettings& axes);
 
 struct FontAxis {
   std::string tag;  // four characters

@@ -280,7 +280,8 @@ inline constexpr uint32_t kPairs = 0;       // u16
 inline constexpr uint32_t kGlyphBits = 2;   // u8, 0..16
 inline constexpr uint32_t kOffsetBits = 3;  // u8, 0..25
 inline constexpr uint32_t kMaxPoints = 4;   // u16, of any pair
-inline constexpr uint32_t kBytes = 6;
+inline constexpr uint32_t kMasters = 6;     // u16, the first; 0: there are none
+inline constexpr uint32_t kBytes = 8;
 inline constexpr uint32_t kMaxGlyphBits = 16;
 
 // Widths of a record's numbers. [bits]

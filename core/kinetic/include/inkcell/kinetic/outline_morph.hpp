@@ -1,10 +1,12 @@
-// Turns one glyph into another by moving the points of its outline.
+// Turns one glyph into another, or into its own bold form, by moving the points
+// of its outline.
 //
 //   OutlineMorph digit;
 //   INKCELL_TRY(OutlineMorph::open(font, four, five, digit));
 //   digit.draw(painter, style, origin, progress);  // for each strip
 //
-// The font must hold the pair (inkcell-fontgen --morph), in either direction.
+// The font must hold the pair (inkcell-fontgen --morph), in either direction,
+// or the second masters of its glyphs (--axis wght=300..800).
 // Strokes travel, bend and split. Any size, filter, weight, matrix and effect;
 // no grid. Pairs that a font does not hold: GlyphMorph (morph.hpp).
 #pragma once
@@ -43,6 +45,12 @@ class OutlineMorph {
                      uint16_t to,
                      OutlineMorph& out) noexcept;
 
+  /// From a glyph to its second master: bolder, wider or slanted. no_glyph: the
+  /// font holds none (inkcell-fontgen --axis wght=300..800). As open().
+  static Status open_master(const Font& font,
+                            uint16_t glyph,
+                            OutlineMorph& out) noexcept;
+
   /// The least workspace of a painter that draws any pair of the font. A strip
   /// of 16 rows of 96 px in one band takes 1.8 KB more. [bytes]
   static size_t workspace_bytes(const Font& font) noexcept;
@@ -57,6 +65,9 @@ class OutlineMorph {
 
   /// The pixels that draw() may touch.
   Rect box(const Style& style, Point origin, Q16_16 progress) const noexcept;
+
+  /// Between the advances of both glyphs. Progress is clamped to 0..1.
+  Q26_6 advance(const Style& style, Q16_16 progress) const noexcept;
 
   uint16_t from() const noexcept { return from_; }
   uint16_t to() const noexcept { return to_; }

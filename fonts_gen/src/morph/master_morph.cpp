@@ -1,0 +1,225 @@
+#include "morph/master_morph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "morph/find_morph.hpp"
+#include "morph/match_loops.hpp"
+#include "morph/morph_check.hpp"
+#include "morph/morph_loop.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+bool correspond(const Outline& a, const Outline& b) {
+  return std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(),
+                    b.contours.end(), [](const Contour& s, const Contour& t) {
+                      return std::equal(s.segments.begin(), s.segments.end(),
+                                        t.segments.begin(), t.segments.end(),
+                                        [](const Segment& u, const Segment& v) {
+                                          return u.kind == v.kind;
+                                        });
+                    });
+}
+
+// Takes points near the border of the first master to where the same points of
+// the second one are.
+class Way {
+ public:
+  explicit Way(const Outline (&masters)[2]) {
+    for (size_t c = 0; c < masters[0].contours.size(); ++c) {
+      const auto& first = masters[0].contours[c].segments;
+      const auto& second = masters[1].contours[c].segments;
+      for (size_t s = 0; s < first.size(); ++s) {
+        add(first[s], second[s]);
+      }
+    }
+  }
+
+  // `along`: the direction of the border, with the ink on its left. It parts
+  // edges that are near to each other.
+  Point operator()(const Point& at, const Point& along) const {
+    // Outer contours of TrueType run clockwise.
+    const double turned_u = area_ < 0 ? -12 : 12;
+    double least = kInfinity;
+    Point best = at;
+    for (const Chord& chord : chords_) {
+      const Point d = chord.from[1] - chord.from[0];
+      const double size = dot(d, d);
+      const double t =
+          size > 0 ? std::clamp(dot(at - chord.from[0], d) / size, 0.0, 1.0)
+                   : 0;
+      const double cost = length(at - chord.from[0] - t * d) -
+                          turned_u * dot(along, direction(d));
+      if (cost < least) {
+        least = cost;
+        best = chord.to[0] + t * (chord.to[1] - chord.to[0]);
+      }
+    }
+    return best;
+  }
+
+ private:
+  struct Chord {
+    Point from[2];
+    Point to[2];
+  };
+
+  void add(const Segment& first, const Segment& second) {
+    constexpr int kChords = 16;
+    const int count = first.kind == Segment::Kind::line ? 1 : kChords;
+    for (int i = 0; i < count; ++i) {
+      const double t[] = {static_cast<double>(i) / count,
+                          static_cast<double>(i + 1) / count};
+      chords_.push_back({{point_on(first, t[0]), point_on(first, t[1])},
+                         {point_on(second, t[0]), point_on(second, t[1])}});
+      area_ += cross(chords_.back().from[0], chords_.back().from[1]);
+    }
+  }
+
+  std::vector<Chord> chords_;
+  double area_ = 0;  // twice that of all contours
+};
+
+LoopEdge moved(const LoopEdge& edge, const Way& way) {
+  const Point middle_at = point_at(edge.p, 0.5);
+  const Point chord = direction(edge.p[2] - edge.p[0]);
+  const auto toward = [&chord](const Point& v) {
+    return length(v) > 1e-9 ? direction(v) : chord;
+  };
+  LoopEdge out = edge;
+  out.p[0] = way(edge.p[0], toward(edge.p[1] - edge.p[0]));
+  out.p[2] = way(edge.p[2], toward(edge.p[2] - edge.p[1]));
+  out.p[1] = 2.0 * way(middle_at, chord) - middle(out.p[0], out.p[2]);
+  return out;
+}
+
+std::vector<Loop> loops_of(const Outline& outline) {
+  std::vector<Loop> loops;
+  int number = 0;
+  for (const Contour& contour : outline.contours) {
+    Loop loop;
+    for (const Segment& segment : contour.segments) {
+      loop.push_back(whole_edge(segment, number++));
+    }
+    if (!loop.empty()) {
+      loops.push_back(std::move(loop));
+    }
+  }
+  return loops;
+}
+
+// How far a loop is from being another one. [u]
+double apart(const Loop& a, const Loop& b) {
+  const double areas[] = {area_of(a), area_of(b)};
+  if (areas[0] * areas[1] <= 0) {
+    return kInfinity;
+  }
+  return length(centroid_of(a) - centroid_of(b)) +
+         std::abs(std::sqrt(std::abs(areas[0])) -
+                  std::sqrt(std::abs(areas[1])));
+}
+
+// The partner of each loop, the nearest first. Empty: not all have one.
+std::vector<size_t> partners_of(const std::vector<Loop>& first,
+                                const std::vector<Loop>& second) {
+  const size_t n = first.size();
+  std::vector<size_t> partners(n, n);
+  std::vector<bool> taken(n);
+  for (size_t round = 0; round < n; ++round) {
+    double least = kInfinity;
+    std::pair<size_t, size_t> best;
+    for (size_t i = 0; i < n; ++i) {
+      for (size_t j = 0; j < n && partners[i] == n; ++j) {
+        const double far = taken[j] ? kInfinity : apart(first[i], second[j]);
+        if (far < least) {
+          least = far;
+          best = {i, j};
+        }
+      }
+    }
+    if (least == kInfinity) {
+      return {};
+    }
+    partners[best.first] = best.second;
+    taken[best.second] = true;
+  }
+  return partners;
+}
+
+// The match of a loop that was moved, with the loop as it is.
+MorphContour put_back(MorphContour contour, const Loop& loop) {
+  size_t edge = 0;
+  while (loop[edge].segment != contour.start[0].segment) {
+    ++edge;
+  }
+  int eighth = contour.start[0].eighth;
+  Point at =
+      eighth == 0 ? loop[edge].p[0] : part_of(loop[edge], 0, eighth).p[2];
+  for (MorphPiece& piece : contour.pieces) {
+    MorphSide& side = piece.side[0];
+    if (side.move == MorphMove::stay) {
+      std::fill(std::begin(side.p), std::end(side.p), at);
+      continue;
+    }
+    const int to = side.move == MorphMove::to_end ? 8 : side.eighth;
+    const LoopEdge part = part_of(loop[edge], eighth, to);
+    std::copy(std::begin(part.p), std::end(part.p), std::begin(side.p));
+    at = part.p[2];
+    eighth = to % 8;
+    edge = to == 8 ? (edge + 1) % loop.size() : edge;
+  }
+  return contour;
+}
+
+}  // namespace
+
+std::optional<MorphPair> find_master_morph(const Outline& first,
+                                           const Outline& second,
+                                           const Outline (&masters)[2]) {
+  if (!correspond(masters[0], masters[1])) {
+    return std::nullopt;
+  }
+  const std::vector<Loop> loops[] = {loops_of(first), loops_of(second)};
+  if (loops[0].empty() || loops[0].size() != loops[1].size()) {
+    return std::nullopt;
+  }
+  const Way way(masters);
+  std::vector<Loop> arrived = loops[0];
+  for (Loop& loop : arrived) {
+    for (LoopEdge& edge : loop) {
+      edge = moved(edge, way);
+    }
+  }
+  const std::vector<size_t> partners = partners_of(arrived, loops[1]);
+  if (partners.empty()) {
+    return std::nullopt;
+  }
+  // Loops that lie on each other: what is far is wrong.
+  constexpr double kFars_u[] = {60, 140, 30};
+  constexpr int kParts[] = {4, 8, 2};
+  for (const int parts : kParts) {
+    for (const double far_u : kFars_u) {
+      MatchOptions options;
+      options.parts = parts;
+      options.far_u = far_u;
+      MorphPair pair;
+      for (size_t i = 0; i < arrived.size(); ++i) {
+        pair.contours.push_back(put_back(
+            match_loops(arrived[i], loops[1][partners[i]], options).contour,
+            loops[0][i]));
+      }
+      const MorphQuality quality = quality_of(pair);
+      if (quality.crossings.empty() && quality.area_error <= kGoodAreaError) {
+        return pair;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace inkcell::gen
