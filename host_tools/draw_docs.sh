@@ -38,6 +38,9 @@ for strip in count,2,3 clock,3.6,10 typewriter,1.7,5 wipe,0.9,6 bounce,0,10 \
     --fps "$fps" --seconds "$(echo "8 / $fps" | awk '{print $1 / $3}')" \
     --format sheet --out "docs/img/recipe_$scene.png"
 done
+"$tools/inkcell-animate" pulse --font "$fonts/inter-vf/Inter.var.ttf" \
+  --axis wght=300..800 --size 96x48 --fps 6 --seconds 1.334 --format sheet \
+  --out docs/img/recipe_masters.png
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cat >"$folder/editor.txt" <<END

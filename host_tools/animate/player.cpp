@@ -17,6 +17,7 @@
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
 #include "print_scene.hpp"
+#include "pulse_scene.hpp"
 #include "rom_file.hpp"
 #include "ticker_scene.hpp"
 #include "typewriter_scene.hpp"
@@ -215,8 +216,8 @@ const std::vector<SceneKind>& scene_kinds() {
                                  "two words"),
       kind_of<scenes::LettersScene<scenes::Letters::bounce>>(
           "bounce", "letters hop", "a line of up to 24 letters"),
-      kind_of<scenes::LettersScene<scenes::Letters::pulse>>(
-          "pulse", "weight runs along a word", "a line of up to 24 letters"),
+      kind_of<scenes::PulseScene>("pulse", "weight runs along a word",
+                                  "a line of up to 24 letters"),
       kind_of<scenes::LettersScene<scenes::Letters::splash>>(
           "splash", "a title comes and goes", "a line of up to 24 letters"),
       kind_of<scenes::IconScene>("icons", "icons become others",

@@ -251,6 +251,8 @@ TEST(a_morph_needs_its_pair) {
   CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
   inkcell_outline_morph_t morph;
   CHECK_EQ(inkcell_outline_morph_open(&font, 1, 2, &morph), INKCELL_NO_GLYPH);
+  CHECK_EQ(inkcell_outline_morph_open_master(&font, 1, &morph),
+           INKCELL_NO_GLYPH);
   inkcell_style_t style;
   CHECK_EQ(inkcell_style_make(14 << 6, &inkcell_filter_text, &style),
            INKCELL_OK);
@@ -265,6 +267,9 @@ TEST(a_morph_needs_its_pair) {
   CHECK(plain.x1 > plain.x0);
   CHECK_EQ(box.x0, plain.x0);
   CHECK_EQ(box.y1, plain.y1);
+  const int32_t advance = inkcell_outline_morph_advance(&morph, &style, 0);
+  CHECK(advance > 0);
+  CHECK_EQ(inkcell_outline_morph_advance(&morph, &style, 1 << 16), advance);
   CHECK_EQ(inkcell_ease_in_out(0), 0);
   const int32_t half = inkcell_ease_in_out(1 << 15);
   CHECK(half > 32700 && half < 32800);

@@ -115,6 +115,16 @@ Status draw_outlines(const Painter& painter, Q16_16 progress) {
   return Status::ok;
 }
 
+Status draw_bolder(const Painter& painter, Point& origin, Q16_16 weight) {
+  const uint16_t glyph = font.glyph_or_notdef('A');
+  const Style style(size);
+  OutlineMorph letter;  // of a glyph
+  INKCELL_TRY(OutlineMorph::open_master(font, glyph, letter));
+  letter.draw(painter, style, origin, weight);  // 0: light, 1: bold
+  origin.x.raw += letter.advance(style, weight).raw;
+  return Status::ok;
+}
+
 Status draw_particles(const Sink& sink) {
   constexpr int32_t seed = 1;
   int8_t samples[24 * 24];
@@ -291,6 +301,10 @@ TEST(morphs_draw) {
 TEST(outlines_morph_if_the_font_holds_the_pair) {
   const Sink sink = counting_sink();
   CHECK(draw_outlines(Painter(sink), Q16_16::from_int(0)) == Status::no_glyph);
+  Point at;
+  CHECK(draw_bolder(Painter(sink), at, Q16_16::from_int(0)) ==
+        Status::no_glyph);
+  CHECK_EQ(at.x.raw, 0);
   CHECK_EQ(ink, 0);
 }
 

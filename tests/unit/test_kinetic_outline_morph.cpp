@@ -1,6 +1,8 @@
-// Outlines that become others: their ends, what lies between, and any bytes.
+// Outlines that become others: their ends, what lies between, lines of them,
+// and any bytes.
 #include "check.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/kinetic/weight_pulse.hpp"
 #include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "rounds.hpp"
@@ -422,6 +424,76 @@ TEST(advances_between_glyphs) {
   CHECK_EQ(morph.advance(style, Q16_16::from_int(3)).raw, 40 * 64);
   CHECK_EQ(morph.advance(style, Q16_16::from_int(-1)).raw, 48 * 64);
   CHECK_EQ(OutlineMorph().advance(style, kHalf).raw, 0);
+  build_font();
+}
+
+// Glyphs 4 and 7 have second masters, 1 has none.
+void draw_pulse(const WeightPulse& line, size_t ram_bytes, int32_t rows) {
+  clear(picture);
+  for (int32_t y = 0; y < kSide; y += rows) {
+    Canvas canvas = {picture, intersect({0, y, kSide, y + rows}, kScreen)};
+    const Sink sink = canvas.sink();
+    line.draw(Painter(sink, Workspace(ram, ram_bytes)));
+  }
+}
+
+TEST(weight_runs_along_a_line) {
+  const Font font = font_with(6, 5);
+  const Style style(Q26_6::from_int(24), kFilterMotion);
+  PulseMotion motion;
+  motion.swell_ms = 400;
+  motion.timing = {0, 1000, 0};
+  motion.stagger.step_ms = 100;
+  constexpr Point kAt = {2, 30};
+  WeightPulse line(font, style, kAt, "DA", motion);
+  static Picture last;
+  clear(last);
+  int32_t still = 0;
+  for (int32_t now = 0; now <= 2000; now += 50) {
+    const Rect changed = line.at(now);
+    draw_pulse(line, sizeof ram, kSide);
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      expected[i] = picture[i];
+      const int32_t x = i % kSide;
+      const int32_t y = i / kSide;
+      CHECK(picture[i] == last[i] || (x >= changed.x0 && x < changed.x1 &&
+                                      y >= changed.y0 && y < changed.y1));
+      last[i] = picture[i];
+    }
+    still += is_empty(changed) ? 1 : 0;
+    draw_pulse(line, sizeof ram, 5);
+    CHECK_EQ(differences(), 0);
+  }
+  // D pulses for 400 ms of each second; A has no second master.
+  CHECK_EQ(still, 24);
+  // At the top D is its second master, and A stands behind its advance.
+  for (int32_t top = 0; top < 2; ++top) {
+    line.at(200 + 600 * top);
+    draw_pulse(line, sizeof ram, kSide);
+    clear(expected);
+    Canvas canvas = {expected, kScreen};
+    const Sink sink = canvas.sink();
+    const Painter painter(sink, Workspace(ram, sizeof ram));
+    OutlineMorph morph;
+    CHECK_OK(OutlineMorph::open_master(font, 4, morph));
+    const Q16_16 part = Q16_16::from_int(1 - top);
+    morph.draw(painter, style, kAt, part);
+    painter.glyph(
+        font, style,
+        {Q26_6::from_raw(kAt.x.raw + morph.advance(style, part).raw), kAt.y},
+        1);
+    CHECK_EQ(differences(), 0);
+  }
+  // Without a workspace all is plain.
+  draw_pulse(line, sizeof ram, kSide);
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    expected[i] = picture[i];
+  }
+  line.at(100);
+  draw_pulse(line, 0, kSide);
+  CHECK_EQ(differences(), 0);
+  line.at(INT32_MIN);
+  line.at(INT32_MAX);
   build_font();
 }
 

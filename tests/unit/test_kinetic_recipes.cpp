@@ -192,6 +192,19 @@ void reveal(Screen& screen) {
   }
 }
 
+void grow(Screen& screen) {
+  PulseMotion motion;
+  motion.swell_ms = 500;  // of a letter, up and down
+  motion.timing.duration_ms = 1500;
+  motion.timing.repeats = 0;    // 0: repeats for ever
+  motion.stagger.step_ms = 80;  // from letter to letter
+  WeightPulse line(font, style, {2, 30}, "01234", motion);
+  for (int32_t now = 0; now < 3000; now += kFrameMs) {
+    screen.wait_until(now);
+    screen.redraw(line.at(now), line);
+  }
+}
+
 Status bounce(Screen& screen) {
   static constexpr PoseThere kHop = hop(8_px, 500);  // height, duration [ms]
   LetterMotion motion;
@@ -391,6 +404,13 @@ TEST(letters_move_one_after_the_other) {
   letters.at(INT32_MAX);
 }
 
+// What moves is in kinetic_outline_morph.
+TEST(letters_without_masters_stay_plain) {
+  Screen screen;
+  grow(screen);
+  CHECK_EQ(screen.redraws, 1);
+}
+
 TEST(tickers_fade_at_their_ends) {
   Screen screen;
   CHECK_OK(run_by(screen));
@@ -450,5 +470,6 @@ TEST(recipes_are_small) {
     CHECK_EQ(sizeof(Typewriter), 40u);
     CHECK_EQ(sizeof(Wipe), 60u);
     CHECK_EQ(sizeof(MovingLetters), 28u);
+    CHECK_EQ(sizeof(WeightPulse), 64u);
   }
 }

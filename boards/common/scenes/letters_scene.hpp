@@ -69,19 +69,27 @@ class LettersScene : public TextScene {
   }
 
   void draw(const Paper& paper) noexcept {
-    constexpr uint32_t kPaper[] = {0x1c1030, 0x200c10, 0x08121c};
-    constexpr uint32_t kInk[] = {0xd0a8ff, 0xff6a5c, 0xe8f4ff};
-    paper.fill(kPaper[static_cast<int>(kLetters)]);
-    letters_.draw(paper.with(kInk[static_cast<int>(kLetters)]));
+    paper.fill(paper_rgb());
+    letters_.draw(paper.with(ink_rgb()));
   }
 
- private:
+ protected:
+  static constexpr uint32_t paper_rgb() noexcept {
+    constexpr uint32_t kPaper[] = {0x1c1030, 0x200c10, 0x08121c};
+    return kPaper[static_cast<int>(kLetters)];
+  }
+  static constexpr uint32_t ink_rgb() noexcept {
+    constexpr uint32_t kInk[] = {0xd0a8ff, 0xff6a5c, 0xe8f4ff};
+    return kInk[static_cast<int>(kLetters)];
+  }
+
   static constexpr uint32_t kFrames =
       kLetters == Letters::splash ? kLoopFrames / 2 : kLoopFrames / 4;
   // All letters are in a later round, some at rest.
   static constexpr int32_t kStartMs =
       kLetters == Letters::splash ? 13000 : 5000;
 
+ private:
   kinetic::RunGlyph glyphs_[24];
   kinetic::Run run_;
   kinetic::RunPlace where_;

@@ -13,6 +13,18 @@ inkcell_status_t inkcell_outline_morph_open(const inkcell_font_t* font,
   return code(kinetic::OutlineMorph::open(ref(font), from, to, ref(out)));
 }
 
+inkcell_status_t inkcell_outline_morph_open_master(
+    const inkcell_font_t* font, uint16_t glyph, inkcell_outline_morph_t* out) {
+  ref(out) = {};
+  return code(kinetic::OutlineMorph::open_master(ref(font), glyph, ref(out)));
+}
+
+int32_t inkcell_outline_morph_advance(const inkcell_outline_morph_t* morph,
+                                      const inkcell_style_t* style,
+                                      int32_t progress_q16) {
+  return ref(morph).advance(ref(style), Q16_16::from_raw(progress_q16)).raw;
+}
+
 size_t inkcell_outline_morph_workspace_bytes(const inkcell_font_t* font) {
   return kinetic::OutlineMorph::workspace_bytes(ref(font));
 }

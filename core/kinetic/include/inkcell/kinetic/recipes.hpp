@@ -23,4 +23,5 @@
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/moving_letters.hpp"
 #include "inkcell/kinetic/typewriter.hpp"
+#include "inkcell/kinetic/weight_pulse.hpp"
 #include "inkcell/kinetic/wipe.hpp"

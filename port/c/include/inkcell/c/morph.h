@@ -25,6 +25,16 @@ inkcell_status_t inkcell_outline_morph_open(const inkcell_font_t* font,
                                             uint16_t to,
                                             inkcell_outline_morph_t* out);
 
+/// From a glyph to its second master: bolder, wider or slanted. NO_GLYPH: the
+/// font holds none (inkcell-fontgen --axis wght=300..800).
+inkcell_status_t inkcell_outline_morph_open_master(
+    const inkcell_font_t* font, uint16_t glyph, inkcell_outline_morph_t* out);
+
+/// Between the advances of both glyphs. [px, Q6]
+int32_t inkcell_outline_morph_advance(const inkcell_outline_morph_t* morph,
+                                      const inkcell_style_t* style,
+                                      int32_t progress_q16);
+
 /// The least workspace for inkcell_outline_morph_draw(). [bytes]
 size_t inkcell_outline_morph_workspace_bytes(const inkcell_font_t* font);
 
