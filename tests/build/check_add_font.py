@@ -36,6 +36,7 @@ CASES = [
     (f"app {THERE} PREVIEW a.png BUDGET 24K", ""),
     (f"app {THERE} BEST_EFFORT", ""),
     (f'app {THERE} INSTANCE "Semi Bold" AXIS wdth=90', ""),
+    (f"app {THERE} AXIS wdth=90 wght=300..800 CHARS A", ""),
     (f"app {THERE} TEXT words.txt", "not understood: TEXT"),
     (f"app {THERE} STRINGS ui.txt STRINGS_FROM src/**/*.c STRICT "
      "NO_LAYOUT_GLYPHS", ""),

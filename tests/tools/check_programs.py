@@ -15,6 +15,7 @@ from programs import PROGRAMS, run
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
+INTER = "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"  # wght 100..900
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
 
 # Every coding, and the options that choose it.
@@ -862,6 +863,20 @@ class Tools(unittest.TestCase):
         said = run("inspect", rom, "--glyph", "D")
         self.assertRegex(said, r"points +\d+ in 2 contours")
         self.assertRegex(run("inspect", rom), r"code tables +\d+, \d+ words")
+
+    def test_inspect_tells_of_masters(self):
+        rom = self.path / "masters.bin"
+        run("fontgen", "--font", INTER, "--symbols", "ABC", "--axis",
+            "wght=300..800", "--out", rom)
+        said = run("inspect", rom)
+        self.assertRegex(said, r"morphs +6 pairs\n")  # with ' ', '.' and '-'
+        self.assertRegex(said, r"second masters +6 glyphs\n")
+        seen = json.loads(run("inspect", rom, "--json"))
+        self.assertEqual((seen["morph_pairs"], seen["masters"]), (6, 6))
+        wide = [glyph["advance"] for glyph in seen["glyphs"]]
+        self.assertLess(wide[4], wide[10])  # A, and its second master
+        self.assertEqual(seen["glyphs"][10]["code_points"], [])
+        self.assertNotIn("second masters", run("inspect", self.font))
 
     def test_inspect_counts_cells(self):
         report = self.path / "report.json"
