@@ -17,6 +17,7 @@ import unittest
 from png import chunks, unfilter
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+INTER = "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"  # wght 100..900
 # Scenes that repeat without a seam: functions of time.
 LOOPS = ("count", "ticker", "typewriter", "wipe", "bounce", "pulse", "splash",
          "charge", "clock", "path")
@@ -183,6 +184,26 @@ class Animate(unittest.TestCase):
         message = run("animate", "icons", "--text", "\ue010", "--out", out,
                       code=1)
         self.assertIn("icons takes one to four pairs", message)
+
+    def test_weight_runs_along_by_masters(self):
+        out = pathlib.Path(self.folder.name) / "pulse.png"
+        stats = out.with_suffix(".json")
+        run("animate", "pulse", "--font", INTER, "--axis", "wght=300..800",
+            "--text", "heart", "--size", "128x64", "--seconds", 301 / 30,
+            "--out", out, "--stats", stats)
+        frames = frames_of(out.read_bytes())
+        self.assertEqual(frames[300], frames[0])
+        self.assertEqual(json.loads(stats.read_text())["missed_pixels"], 0)
+        # The first letter is half as heavy again, and the next ones give way.
+        paper = min(frames[0][i:i + 3] for i in range(0, len(frames[0]), 3))
+        ink = [sum(frame) - 128 * 64 * sum(paper) for frame in frames]
+        self.assertGreater(max(ink), 1.3 * min(ink))
+        rows = [frame[384 * y:384 * (y + 1)] for frame in (frames[0], frames[14])
+                for y in range(64)]
+        right = [max((x for x in range(128) for row in half
+                      if row[3 * x:3 * x + 3] != paper), default=0)
+                 for half in (rows[:64], rows[64:])]
+        self.assertGreater(right[1], right[0])
 
     def test_bodies_fall_from_the_first_frame_on(self):
         out, _ = self.play("figure13", "b.png")
