@@ -18,6 +18,8 @@
 #include "outlines/outline_steps.hpp"
 #include "pipeline/generate.hpp"
 #include "shape/points.hpp"
+#include "shape/shape.hpp"
+#include "source/font_source.hpp"
 
 namespace inkcell::gen::test {
 namespace {
@@ -120,6 +122,13 @@ struct MorphFont {
     return read_outline(
         bytes_of(font.record(id)), table, font.rom()[format::header::kCodeBits],
         record_start(metrics.x_min, metrics.y_min, grid_shift), 10000);
+  }
+
+  // A grid unit. [u]
+  double grid_u() const {
+    return std::ldexp(
+        kUPerEm / font.units_per_em(),
+        static_cast<int8_t>(font.rom()[format::header::kGridShift]));
   }
 
   bool is_composite(int glyph) const {
@@ -313,6 +322,58 @@ INSTANTIATE_TEST_SUITE_P(
                     Masters{kInterVariable, {"wght=900..100"}},
                     Masters{kInterVariable, {"slnt=0..-10", "wght=300..800"}},
                     Masters{kInterItalicVariable, {"wght=300..800"}}));
+
+// Between two masters a variable font moves its points along lines, too: half
+// of the way is the font's own weight in the middle, but for the fit.
+TEST(MasterMorphs, HalfWayIsTheWeightInTheMiddle) {
+  GenerateRequest request;
+  request.font = kInterVariable;
+  request.target.max_px = 96;
+  request.axes = {parse_axis_range("wght=400..900")};
+  const MorphFont letters(request);
+  FontRequest middle;
+  middle.file = request.font;
+  middle.axes = {parse_axis("wght=650")};
+  for (const uint32_t c : ascii()) {
+    middle.characters.insert(c);
+  }
+  Warnings warnings;
+  const SourceFont truth = load_font(middle, 1, warnings);
+  double worst = 0;
+  double sum = 0;
+  size_t count = 0;
+  for (const MorphEntry& pair :
+       read_morphs(bytes_of(letters.font.section(format::section::kMorphs)))) {
+    const auto found = std::find_if(
+        truth.glyphs.begin(), truth.glyphs.end(), [&](const SourceGlyph& of) {
+          return !of.code_points.empty() &&
+                 letters.font.glyph_or_notdef(of.code_points.front()) ==
+                     static_cast<uint32_t>(pair.first);
+        });
+    if (found == truth.glyphs.end() || letters.is_composite(pair.first) ||
+        letters.is_composite(pair.second)) {
+      continue;
+    }
+    const Shape shape(found->outline);
+    for (const auto& polygon :
+         read_morph(pair.record, letters.outline_of(pair.first),
+                    letters.outline_of(pair.second), 0.5, 4)) {
+      for (const Point& p : polygon) {
+        const double x = p.x * letters.grid_u();
+        const double y = p.y * letters.grid_u();
+        const double off = std::abs(shape.distance(x, y));
+        worst = std::max(worst, off);
+        sum += off;
+        ++count;
+      }
+    }
+  }
+  const double mean = sum / static_cast<double>(count);
+  std::printf("%zu points, off by %.2f u, %.2f at worst\n", count, mean, worst);
+  EXPECT_GT(count, 5000u);
+  EXPECT_LE(mean, 0.1);
+  EXPECT_LE(worst, 2);
+}
 
 TEST(Morph, RecordIsThatOfTheDocument) {
   // A contour of two triangles.

@@ -113,6 +113,20 @@ std::vector<Loop> loops_of(const Outline& outline) {
   return loops;
 }
 
+// The loop with lines across its gaps: where contours of a master overlap, the
+// crossing is at other points of the second one, on each of both contours.
+Loop closed(const Loop& loop) {
+  Loop out;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const Point& next = loop[(i + 1) % loop.size()].p[0];
+    out.push_back(loop[i]);
+    if (!(next == loop[i].p[2])) {
+      out.push_back(whole_edge({Segment::Kind::line, {loop[i].p[2], next}}, 0));
+    }
+  }
+  return out;
+}
+
 // How far a loop is from being another one. [u]
 double apart(const Loop& a, const Loop& b) {
   const double areas[] = {area_of(a), area_of(b)};
@@ -135,7 +149,8 @@ std::vector<size_t> partners_of(const std::vector<Loop>& first,
     std::pair<size_t, size_t> best;
     for (size_t i = 0; i < n; ++i) {
       for (size_t j = 0; j < n && partners[i] == n; ++j) {
-        const double far = taken[j] ? kInfinity : apart(first[i], second[j]);
+        const double far =
+            taken[j] ? kInfinity : apart(closed(first[i]), second[j]);
         if (far < least) {
           least = far;
           best = {i, j};
@@ -176,6 +191,22 @@ MorphContour put_back(MorphContour contour, const Loop& loop) {
   return contour;
 }
 
+// How far pieces arrive from where they should. [u] A piece more is worth a u.
+double slip_of(const MorphContour& contour) {
+  double sum = 0;
+  for (const MorphPiece& piece : contour.pieces) {
+    sum += 1 + std::max(length(point_at(piece.side[0].p, 0.5) -
+                               point_at(piece.side[1].p, 0.5)),
+                        length(piece.side[0].p[2] - piece.side[1].p[2]));
+  }
+  return sum;
+}
+
+bool is_good(const MorphPair& pair) {
+  const MorphQuality quality = quality_of(pair);
+  return quality.crossings.empty() && quality.area_error <= kGoodAreaError;
+}
+
 }  // namespace
 
 std::optional<MorphPair> find_master_morph(const Outline& first,
@@ -200,26 +231,34 @@ std::optional<MorphPair> find_master_morph(const Outline& first,
     return std::nullopt;
   }
   // Loops that lie on each other: what is far is wrong.
-  constexpr double kFars_u[] = {60, 140, 30};
-  constexpr int kParts[] = {4, 8, 2};
-  for (const int parts : kParts) {
-    for (const double far_u : kFars_u) {
+  constexpr double kFars_u[] = {60, 30, 140};
+  constexpr int kParts[] = {0, 4, 8};  // 0: whole edges, if they run alike
+  std::optional<MorphPair> best;
+  double least = kInfinity;
+  for (const double far_u : kFars_u) {
+    for (const int parts : kParts) {
       MatchOptions options;
-      options.parts = parts;
+      options.by_edges = parts == 0;
+      options.parts = std::max(parts, 4);
       options.far_u = far_u;
       MorphPair pair;
+      double slip = 0;
       for (size_t i = 0; i < arrived.size(); ++i) {
-        pair.contours.push_back(put_back(
-            match_loops(arrived[i], loops[1][partners[i]], options).contour,
-            loops[0][i]));
+        MorphContour contour =
+            match_loops(arrived[i], loops[1][partners[i]], options).contour;
+        slip += slip_of(contour);
+        pair.contours.push_back(put_back(std::move(contour), loops[0][i]));
       }
-      const MorphQuality quality = quality_of(pair);
-      if (quality.crossings.empty() && quality.area_error <= kGoodAreaError) {
-        return pair;
+      if (slip < least && is_good(pair)) {
+        best = std::move(pair);
+        least = slip;
       }
     }
+    if (best) {
+      break;
+    }
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace inkcell::gen

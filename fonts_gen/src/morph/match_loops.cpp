@@ -284,7 +284,7 @@ double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
 LoopMatch match_loops(const Loop& a,
                       const Loop& b,
                       const MatchOptions& options) {
-  if (options.penalties.empty()) {
+  if (options.by_edges && options.penalties.empty()) {
     if (std::optional<LoopMatch> match = match_edges(a, b, options.far_u)) {
       return *match;
     }

@@ -11,7 +11,8 @@ namespace inkcell::gen {
 inline constexpr double kUsualFar_u = 250;
 
 struct MatchOptions {
-  int parts = 4;  // of a long edge, see stops_of()
+  int parts = 4;         // of a long edge, see stops_of()
+  bool by_edges = true;  // loops whose edges run alike, see match_loops()
   double far_u = kUsualFar_u;
   /// Stops of both loops where pieces shall not begin, with their price.
   struct Penalty {
@@ -29,7 +30,7 @@ struct LoopMatch {
 /// The pieces with the least sum of costs (dynamic programming over the stops
 /// of both loops). A piece is dear if its parts are far apart, or differ in
 /// length or direction. Loops whose edges run alike, as those of two boxes, are
-/// matched edge by edge, however far these are.
+/// matched edge by edge, however far these are, if the options say so.
 LoopMatch match_loops(const Loop& a,
                       const Loop& b,
                       const MatchOptions& options);
