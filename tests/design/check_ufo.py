@@ -23,6 +23,7 @@ try:
     from fontTools.pens.recordingPen import RecordingPointPen
     from fontTools.ufoLib import UFOReader
     from fontTools.ufoLib.glifLib import readGlyphFromString
+    from freetype_glyph import picture, worst_difference
 except ImportError as missing:
     print(f"skipped: {missing}; install python3-freetype and fontmake")
     sys.exit(77)
@@ -30,7 +31,6 @@ except ImportError as missing:
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
           "host_tools/design/samples/pen_face.lua")
-OUTLINE_OVERLAP = 0x40  # FT_OUTLINE_OVERLAP, which the bindings lack
 SIZES_PX = (12, 24, 64)
 # The error of fontmake's quadratics against our cubics; ours are within 1/3
 # unit. Both round points to whole units; the pen's face has 1000 an em: two
@@ -122,19 +122,6 @@ def check_valid(project):
     expect(count > 0, f"{project.name}: no glyph has an outline")
 
 
-def picture(face, glyph):
-    """Greys of a glyph by their place."""
-    face.load_glyph(glyph, freetype.FT_LOAD_NO_HINTING)
-    slot = face.glyph
-    # FreeType supersamples glyphs that are marked as overlapping; ours marks
-    # composites that do, ufo2ft none.
-    slot.outline._FT_Outline.flags &= ~OUTLINE_OVERLAP
-    slot.render(freetype.FT_RENDER_MODE_NORMAL)
-    bitmap = slot.bitmap
-    return {(slot.bitmap_left + i % bitmap.pitch, i // bitmap.pitch -
-             slot.bitmap_top): grey for i, grey in enumerate(bitmap.buffer)}
-
-
 def worst_pixel(ours, theirs):
     worst = 0
     characters = sorted(code for code, _ in ours.get_chars())
@@ -148,8 +135,7 @@ def worst_pixel(ours, theirs):
             b = picture(theirs, theirs.get_char_index(code))
             expect(ours.glyph.linearHoriAdvance ==
                    theirs.glyph.linearHoriAdvance, f"advance of U+{code:04X}")
-            worst = max([worst] + [abs(a.get(place, 0) - b.get(place, 0))
-                                   for place in a.keys() | b.keys()])
+            worst = max(worst, worst_difference(a, b))
     return worst
 
 

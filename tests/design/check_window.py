@@ -1,13 +1,15 @@
 """Works in inkcell-editor's window with a pointer and keys, in Xvfb, and
 compares each picture, byte for byte, with that of a script doing the same.
 
-Usage: check_window.py INKCELL_EDITOR [--letters FOLDER]
+Usage: check_window.py INKCELL_EDITOR INKCELL_RENDER
+       check_window.py INKCELL_EDITOR --letters FOLDER
 
-With --letters it writes only the font of eight letters, Letters.ttf, and
-letters.png, the window with it.
+The second writes only the font of eight letters, Letters.ttf, and letters.png,
+the window with it.
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,6 +29,10 @@ SIZE = 1140, 74           # the field of the glyph's size [px]
 TEXT = 1300, 74           # the field of the preview's text [px]
 OPERATOR = 1120, 703      # the field of a tree's operator [px]
 BLEND = 1120, 826         # its item Blend [px]
+# The font of eight letters: FreeType's coverage against Inkcell's. 16 is the
+# font's tolerance; FreeType rounds points to 1/64 px, 4 on an edge's pixel.
+SIZES_PX = 12, 24, 48
+MOST_OF_255 = 20
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
@@ -48,6 +54,36 @@ def run_script(folder, *lines, scale=1):
 def picture(path):
     """The pixels of a PPM."""
     return path.read_bytes().split(b"\n", 3)[3]
+
+
+def drawn_by_inkcell(font, char, px):
+    """Greys of a glyph by their place, as the device covers pixels."""
+    reach = 2 * px
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "glyph.pgm"
+        subprocess.run([sys.argv[2], "--font", font, "--text", char, "--px",
+                        str(px), "--filter", "area", "--ox", str(px), "--oy",
+                        str(px), "--width", str(reach), "--height", str(reach),
+                        "--out", out], check=True, capture_output=True)
+        greys = picture(out)
+    return {(i % reach - px, i // reach - px): grey
+            for i, grey in enumerate(greys) if grey}
+
+
+def worst_coverage(font, chars):
+    """The largest difference between FreeType's pixels and Inkcell's."""
+    import freetype  # --letters does without
+    from freetype_glyph import picture as drawn_by_freetype
+    from freetype_glyph import worst_difference
+    face = freetype.Face(str(font))
+    worst = 0
+    for px in SIZES_PX:
+        face.set_pixel_sizes(px, px)
+        for char in chars:
+            theirs = drawn_by_freetype(face, face.get_char_index(char))
+            worst = max(worst, worst_difference(
+                theirs, drawn_by_inkcell(font, char, px)))
+    return worst
 
 
 def canvas_place(report, point):
@@ -86,6 +122,13 @@ class Session:
     def key(self, name, key, line):
         self.add(name, [f"key {line}"], ("key", key))
 
+    def mono_12px(self):
+        self.add("1 bit, 12 px", ["preview 12 mono dark", "hover -9e4 -9e4"],
+                 ("mousemove", *MONO), ("click", 1), ("mousemove", *SIZE),
+                 ("keydown", "ctrl"), ("click", 1), WAIT, ("keyup", "ctrl"),
+                 ("type", "12"),
+                 ("key", "Return"), ("mousemove", *REST))
+
     def run_script(self, folder):
         lines = list(self.opening)
         for i, (_, more, _) in enumerate(self.steps):
@@ -99,6 +142,7 @@ class Letters(Session):
 
     NAME = "Letters.ufo"
     CHARS = "0x20,b,d,h,i,l,n,o,u"  # in the order of the font
+    LETTERS = "bdhilnou"
     TEXT = "hound blind"
 
     def __init__(self, font):
@@ -260,6 +304,9 @@ class WindowTest(unittest.TestCase):
     def start(self, *arguments, scale=1):
         self.display = Display(self.screen, scale * WIDTH, scale * HEIGHT)
         self.addCleanup(self.display.close)
+        return self.window(*arguments)
+
+    def window(self, *arguments):
         window = Window(self.display, self.live, *arguments)
         self.addCleanup(window.process.wait)
         self.addCleanup(window.process.kill)
@@ -281,10 +328,7 @@ class WindowTest(unittest.TestCase):
         steps.drag("point", letter, [(x, y), (x - 20, y + 10), (x - 60, y)])
         steps.key("undo", "ctrl+z", "ctrl+z")
         steps.key("redo", "ctrl+y", "ctrl+y")
-        steps.add("1 bit, 12 px", ["preview 12 mono dark", "hover -9e4 -9e4"],
-                  ("mousemove", *MONO), ("click", 1), ("mousemove", *SIZE),
-                  ("click", "--repeat", 2, "--delay", 60, 1), ("type", "12"),
-                  ("key", "Return"), ("mousemove", *REST))
+        steps.mono_12px()
         steps.key("glyph O", "Prior", "pageup")
         steps.key("all points", "ctrl+a", "ctrl+a")
         steps.key("no points", "Delete", "delete")
@@ -372,16 +416,31 @@ class WindowTest(unittest.TestCase):
         self.assertNotEqual(report["contours"], letter["contours"])
 
     def test_eight_letters_are_made_from_nothing(self):
-        letters = Letters(["save"])
+        letters = Letters(["save", "export Letters.ttf"])
         letters.make()
+        letters.mono_12px()
         letters.run_script(self.scripted)
         window = self.start()
         window.new_font(letters.NAME, letters.CHARS)
         window.play(letters, self.scripted)
-        send = self.display.send
-        send("key", "ctrl+s")
+        window.process.kill()  # nothing is saved
+        window.process.wait()
+        again = self.screen / "again"
+        shutil.copytree(self.live, again)
+        run_script(again, f"open {letters.NAME}", "screenshot 0.ppm")
+        window = self.window(letters.NAME)
+        window.wait_for(picture(again / "0.ppm"), "opened after the crash")
+        window.export(self.live, "Letters.ttf")
+        font = self.live / "Letters.ttf"
+        self.assertEqual(font.read_bytes(),
+                         (self.scripted / "Letters.ttf").read_bytes())
+        self.display.send("key", "ctrl+s")
         kerning = self.live / letters.NAME / "kerning.plist"
         wait(kerning.exists, "the kerning is not saved")
+        worst = worst_coverage(font, letters.LETTERS)
+        print(f"Letters.ttf: FreeType's pixels and Inkcell's differ by {worst} "
+              f"of 255 at {SIZES_PX} px")
+        self.assertLessEqual(worst, MOST_OF_255)
 
     def test_widgets_are_scaled(self):
         run_script(self.scripted, f"open {FONT} P.ufo {CHARS}",
