@@ -13,41 +13,11 @@ import sys
 import tempfile
 import zlib
 
+from editor_script import Editor, expect, finish, points_of
+
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
 PLIST = '<plist version="1.0">{}</plist>'
-PROBLEMS = []
-
-
-def expect(condition, what):
-    if not condition:
-        PROBLEMS.append(what)
-
-
-class Editor:
-    """Runs scripts in a folder, without a display."""
-
-    def __init__(self, program, folder):
-        self.program = program
-        self.folder = folder
-
-    def run(self, *lines):
-        """What the script printed, as a list of reports."""
-        result = self.start(*lines)
-        if result.returncode != 0:
-            sys.exit(f"{lines}: {result.stderr.strip()}")
-        return [json.loads(line) for line in result.stdout.splitlines()]
-
-    def start(self, *lines):
-        script = self.folder / "script.txt"
-        script.write_text("\n".join(lines) + "\n")
-        return subprocess.run([self.program, "--script", script], text=True,
-                              cwd=self.folder, capture_output=True,
-                              check=False)
-
-
-def points_of(report):
-    return [point for contour in report["contours"] for point in contour]
 
 
 def check_edits(editor):
@@ -653,9 +623,7 @@ def main():
         check_layers(editor)
         check_messages(editor)
         check_errors(editor)
-    for problem in PROBLEMS:
-        print(problem)
-    sys.exit(1 if PROBLEMS else 0)
+    finish()
 
 
 main()

@@ -204,7 +204,7 @@ class Letters(Session):
         self.key("a hole", "ctrl+shift+d", "ctrl+shift+d")
         self.go_to("n")
         arch = [(120, 300), (150, 400), (210, 455), (290, 470), (370, 450),
-                (420, 390), (440, 300), (440, 20)]
+                (420, 390), (440, 300), (440, 250), (440, 20)]
         self.draw("b", (120, 480), (120, 250), (120, 20))
         self.draw("b", *arch)
         self.go_to("u")

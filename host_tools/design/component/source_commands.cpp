@@ -5,7 +5,6 @@
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
 #include "shape/outline.hpp"
-#include "shape/points.hpp"
 #include "stroke/stroke.hpp"
 
 namespace inkcell::design {
@@ -26,46 +25,12 @@ std::vector<PointContour> fitted(const Project& project,
                   arguments.number("grid", 1)));
 }
 
-StrokePoint point_of(const Value& value,
-                     double scale,
-                     const Arguments& arguments) {
-  const bool ok = value.is_array() && value.size() >= 2 && value.size() <= 5 &&
-                  value[0].is_number() && value[1].is_number();
-  if (!ok) {
-    arguments.refuse(
-        "points of a stroke are [x, y, width, height, angle], the last three "
-        "null or left out where nothing changes");
-  }
-  StrokePoint point;
-  point.at = {scale * value[0].get<double>(), scale * value[1].get<double>()};
-  const auto change = [&value](size_t i, double unit_size) {
-    return i < value.size() && value[i].is_number()
-               ? std::optional<double>(unit_size * value[i].get<double>())
-               : std::nullopt;
-  };
-  point.width = change(2, scale);
-  point.height = change(3, scale);
-  point.angle = change(4, gen::kDegree);
-  return point;
-}
-
 Change set_strokes(const Project& project, const Arguments& arguments) {
   const double scale = gen::kUPerEm / project.units_per_em();
   std::vector<std::vector<Point>> polygons;
   for (const Value& value : arguments.array("strokes")) {
-    if (!value.is_object() || !value.contains("nib") ||
-        !value["nib"].is_string() || !value.contains("points")) {
-      arguments.refuse(
-          "strokes are { \"nib\": \"ellipse:80,30,45\", \"points\": [...] }");
-    }
-    Stroke stroke;
-    stroke.nib = parse_nib(value["nib"].get<std::string>());
-    stroke.nib.width *= scale;
-    stroke.nib.height *= scale;
-    for (const Value& point : value["points"]) {
-      stroke.points.push_back(point_of(point, scale, arguments));
-    }
-    for (std::vector<Point>& polygon : polygons_of(stroke, kPathFit_u)) {
+    for (std::vector<Point>& polygon :
+         polygons_of(parse_stroke(value, scale), kPathFit_u)) {
       polygons.push_back(std::move(polygon));
     }
   }

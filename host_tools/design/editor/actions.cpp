@@ -6,7 +6,9 @@
 
 #include "editor/clipboard.hpp"
 #include "editor/edits.hpp"
+#include "editor/knot_drag.hpp"
 #include "editor/parts.hpp"
+#include "editor/strokes.hpp"
 #include "model/error.hpp"
 
 namespace inkcell::design::editor {
@@ -36,6 +38,10 @@ void nudge(Editor& editor, double dx, double dy) {
                 {"matrix", {m.xx, m.xy, m.yx, m.yy, m.dx + dx, m.dy + dy}}});
     return;
   }
+  if (!editor.knots.empty()) {
+    editor.run(move_knots(*editor.glyph(), editor.knots, dx, dy));
+    return;
+  }
   run_unless_null(editor,
                   move_selection(*editor.glyph(), editor.selection, dx, dy));
 }
@@ -52,6 +58,12 @@ void delete_selection(Editor& editor) {
   }
   if (editor.component) {
     editor.run({{"do", "delete_component"}, {"component", *editor.component}});
+    return;
+  }
+  if (!editor.knots.empty()) {
+    const Value command = delete_knots(*editor.glyph(), editor.knots);
+    editor.knots.clear();
+    editor.run(command);
     return;
   }
   const Selection selection = editor.selection;
@@ -72,6 +84,11 @@ void delete_glyph(Editor& editor) {
 }
 
 void select_all(Editor& editor) {
+  if (has_strokes(*editor.glyph())) {
+    const Point far = {INFINITY, INFINITY};
+    select_knots(editor, {}, {-far.x, -far.y}, far);
+    return;
+  }
   for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
     editor.select_contour(c);
   }
@@ -182,7 +199,9 @@ std::vector<Action> make_list() {
       {"Select none", "escape", escape},
       {"Smooth or corner", "s",
        [](Editor& e) {
-         if (e.selection.size() == 1) {
+         if (e.knots.size() == 1) {
+           e.run(toggle_corner(*e.glyph(), *e.knots.begin()));
+         } else if (e.selection.size() == 1) {
            run_unless_null(e, toggle_smooth(*e.glyph(), *e.selection.begin()));
          }
        }},

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "app/output.hpp"
+#include "editor/edits.hpp"
 #include "editor/glyph_set.hpp"
 #include "editor/parts.hpp"
 #include "editor/spacing.hpp"
+#include "editor/strokes.hpp"
 #include "export/rom.hpp"
 #include "export/ttf.hpp"
 #include "import/font_import.hpp"
@@ -364,12 +366,9 @@ void Editor::make_outline() {
     names = losing_source(change_of(project(), *next));
   }
   for (const std::string& name : names) {
-    const GlyphPointer made = project().glyph(name);
-    for (const char* key : {kStrokesKey, kTreeKey}) {
-      if (made->lib.contains(key)) {
-        commands.push_back(
-            {{"do", "set_glyph_lib"}, {"glyph", name}, {"key", key}});
-      }
+    Value command = without_source(*project().glyph(name));
+    if (!command.is_null()) {
+      commands.push_back(std::move(command));
     }
   }
   if (next) {
@@ -422,6 +421,13 @@ void Editor::drop_lost_selection() {
                       id->point >= now->contours[id->contour].points.size();
     id = lost ? selection.erase(id) : std::next(id);
   }
+  const std::vector<Stroke> strokes =
+      knots.empty() ? std::vector<Stroke>() : strokes_of(*now);
+  for (auto id = knots.begin(); id != knots.end();) {
+    const bool lost = id->contour >= strokes.size() ||
+                      id->point >= strokes[id->contour].points.size();
+    id = lost ? knots.erase(id) : std::next(id);
+  }
   if (component && *component >= now->components.size()) {
     component.reset();
   }
@@ -435,6 +441,7 @@ void Editor::drop_lost_selection() {
 
 void Editor::select_nothing() {
   selection.clear();
+  knots.clear();
   component.reset();
   guide.reset();
   part.reset();

@@ -144,6 +144,7 @@ class Editor {
   PreviewJob preview_job() const;
 
   Selection selection;
+  Selection knots;  // of the glyph's strokes: numbers of stroke and point
   std::optional<size_t> component;  // the selected one
   std::optional<size_t> guide;      // likewise
   std::optional<size_t> part;       // of the glyph's tree, in order

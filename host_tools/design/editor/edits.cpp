@@ -6,6 +6,7 @@
 
 #include "editor/parts.hpp"
 #include "model/arguments.hpp"
+#include "model/sources.hpp"
 #include "shape/points.hpp"
 #include "shape/shape.hpp"
 
@@ -241,6 +242,17 @@ Value batch(std::vector<Value> commands) {
     return commands.front();
   }
   return {{"do", "batch"}, {"commands", std::move(commands)}};
+}
+
+Value without_source(const Glyph& glyph) {
+  std::vector<Value> commands;
+  for (const char* key : {kStrokesKey, kTreeKey}) {
+    if (glyph.lib.contains(key)) {
+      commands.push_back(
+          {{"do", "set_glyph_lib"}, {"glyph", glyph.name}, {"key", key}});
+    }
+  }
+  return commands.empty() ? Value() : batch(std::move(commands));
 }
 
 Value move_selection(const Glyph& glyph,

@@ -10,6 +10,9 @@ namespace inkcell::design::editor {
 /// Several commands as one step.
 Value batch(std::vector<Value> commands);
 
+/// Lets go of the strokes or the tree of a glyph. Null if it has none.
+Value without_source(const Glyph& glyph);
+
 /// Moves the selected points. Their handles move with them; the handle of a
 /// quadratic moves along the tangent at its other end if that is smooth. If a
 /// handle is moved alone and its point is smooth, the opposite handle turns

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "editor/exact_preview.hpp"
+#include "editor/strokes.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
+#include "model/sources.hpp"
+#include "shape/points.hpp"
 #include "shape/shape.hpp"
 #include "trace/field_outline.hpp"
 
@@ -20,15 +24,20 @@ constexpr double kTurn = 6.283185307179586;
 template <typename Work>
 Latency time_of(int runs, const Work& work) {
   std::vector<double> times;
+  std::vector<double> cpu;
   for (int i = 0; i < runs; ++i) {
+    const std::clock_t cpu_begin = std::clock();
     const auto begin = std::chrono::steady_clock::now();
     work(i);
     const std::chrono::duration<double, std::milli> time =
         std::chrono::steady_clock::now() - begin;
     times.push_back(time.count());
+    cpu.push_back(1000.0 * static_cast<double>(std::clock() - cpu_begin) /
+                  CLOCKS_PER_SEC);
   }
   std::sort(times.begin(), times.end());
-  return {times[times.size() / 2], times.back()};
+  std::sort(cpu.begin(), cpu.end());
+  return {times[times.size() / 2], times.back(), cpu[cpu.size() / 2]};
 }
 
 // Distances around the ink, kFieldScale to a pixel at `px` px/em.
@@ -55,6 +64,28 @@ Value stroke_command(const Editor& editor, int points) {
   }
   const Value stroke = {{"nib", editor.nib.text()}, {"points", path}};
   return {{"do", "set_strokes"}, {"strokes", Value::array({stroke})}};
+}
+
+// What is seen while the first knot moves, and while its nib turns and widens.
+void measure_knots(Editor& editor,
+                   int runs,
+                   const Preview& first,
+                   Latencies& result) {
+  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const Nib nib = nibs_of(strokes_of(*glyph).at(0)).at(0);
+  const auto show = [&](const Value& command) {
+    editor.propose(command);
+    draw_exact_preview(first, editor.preview_job());
+  };
+  result.knot = time_of(runs, [&](int i) {
+    show(move_knots(*glyph, {{0, 0}}, i + 1, 0));
+  });
+  result.nib = time_of(runs, [&](int i) {
+    Nib turned = nib;
+    turned.width += i + 1;
+    turned.angle += gen::kDegree * (i + 1);
+    show(set_nib(*glyph, {0, 0}, turned));
+  });
 }
 
 Preview device_preview(const Editor& editor, gen::BuiltGlyphs& glyphs) {
@@ -104,6 +135,20 @@ Latencies measure_latencies(Editor& editor, int runs) {
     const ShapeField field(shape(), target);
     draw_exact_preview(first, editor.preview_job());
   });
+  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  if (has_strokes(*glyph)) {
+    measure_knots(editor, runs, first, result);
+  }
+  if (has_source(*glyph)) {
+    result.to_outline = time_of(runs, [&](int) {
+      editor.propose(without_source(*glyph));
+      draw_exact_preview(first, editor.preview_job());
+    });
+    result.back = time_of(runs, [&](int) {
+      editor.propose(nullptr);
+      draw_exact_preview(first, editor.preview_job());
+    });
+  }
   editor.propose(nullptr);
   return result;
 }

@@ -32,7 +32,9 @@ Value guides_value(const Glyph& glyph) {
 }
 
 Value latency_value(const Latency& latency) {
-  return {{"median_ms", latency.median}, {"worst_ms", latency.worst}};
+  return {{"median_ms", latency.median},
+          {"worst_ms", latency.worst},
+          {"cpu_ms", latency.cpu}};
 }
 
 }  // namespace
@@ -50,7 +52,8 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"guides", guides_value(*glyph)},
           {"picture", glyph->image ? glyph->image->file : ""},
           {"tree", glyph->lib.value(kTreeKey, Value())},
-          {"selected", editor.selection.size()},
+          {"strokes", glyph->lib.value(kStrokesKey, Value())},
+          {"selected", editor.selection.size() + editor.knots.size()},
           {"view", view_value(editor.view)},
           {"bytes", preview.glyph_bytes},
           {"points", preview.glyph_points},
@@ -61,9 +64,18 @@ Value report_of(const Editor& editor, const Preview& preview) {
 }
 
 Value report_of(const Latencies& latencies) {
-  return {{"drag", latency_value(latencies.drag)},
-          {"device", latency_value(latencies.device)},
-          {"stroke", latency_value(latencies.stroke)}};
+  Value report = {{"drag", latency_value(latencies.drag)},
+                  {"device", latency_value(latencies.device)},
+                  {"stroke", latency_value(latencies.stroke)}};
+  for (const auto& [name, latency] :
+       {std::pair("knot", latencies.knot), std::pair("nib", latencies.nib),
+        std::pair("to_outline", latencies.to_outline),
+        std::pair("back", latencies.back)}) {
+    if (latency) {
+      report[name] = latency_value(*latency);
+    }
+  }
+  return report;
 }
 
 }  // namespace inkcell::design::editor

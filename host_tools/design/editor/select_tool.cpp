@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "editor/edits.hpp"
+#include "editor/knot_drag.hpp"
 #include "editor/parts.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
@@ -118,6 +119,10 @@ class SelectTool : public Tool {
       press_part(editor, pointer);
       return;
     }
+    if (has_strokes(*glyph)) {
+      press_stroke(editor, pointer);
+      return;
+    }
     if (const auto hit = point_near(*glyph, pointer)) {
       press_point(editor, pointer, *hit);
       return;
@@ -157,6 +162,9 @@ class SelectTool : public Tool {
     label_.reset();
     if (state_ == State::points) {
       drag_points(editor, pointer, {dx, dy}, is_flat);
+    } else if (state_ == State::strokes) {
+      knots_.drag(editor, pointer, {dx, dy});
+      label_ = knots_.label;
     } else if (state_ == State::part) {
       Matrix move;
       move.dx = dx;
@@ -201,7 +209,7 @@ class SelectTool : public Tool {
   }
 
  private:
-  enum class State { idle, points, part, component, guide, box };
+  enum class State { idle, points, part, strokes, component, guide, box };
 
   void stop() {
     state_ = State::idle;
@@ -221,6 +229,25 @@ class SelectTool : public Tool {
       return;
     }
     editor.part = part;
+  }
+
+  // Knots of centre lines move, not the points of the outline.
+  void press_stroke(Editor& editor, const Pointer& pointer) {
+    editor.guide.reset();
+    if (knots_.press(editor, pointer)) {
+      state_ = State::strokes;
+    } else if (const auto guide = guide_near(*editor.glyph(), pointer)) {
+      editor.select_nothing();
+      editor.guide = guide;
+      state_ = State::guide;
+    } else {
+      if (!pointer.shift) {
+        editor.select_nothing();
+      }
+      kept_ = editor.knots;
+      end_ = start_;
+      state_ = State::box;
+    }
   }
 
   void press_point(Editor& editor, const Pointer& pointer, PointId hit) {
@@ -321,8 +348,12 @@ class SelectTool : public Tool {
   }
 
   void select_box(Editor& editor) const {
-    editor.selection = kept_;
     const GlyphPointer glyph = editor.glyph();
+    if (has_strokes(*glyph)) {
+      select_knots(editor, kept_, start_, end_);
+      return;
+    }
+    editor.selection = kept_;
     const auto [x0, x1] = std::minmax(start_.x, end_.x);
     const auto [y0, y1] = std::minmax(start_.y, end_.y);
     for (size_t c = 0; c < glyph->contours.size(); ++c) {
@@ -341,6 +372,7 @@ class SelectTool : public Tool {
   Point end_;
   Selection kept_;
   PointId grabbed_;  // the point under the pointer
+  KnotDrag knots_;
   std::vector<std::pair<Point, Point>> levels_;
   std::optional<std::pair<Point, std::string>> label_;
 };

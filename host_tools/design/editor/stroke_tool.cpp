@@ -5,9 +5,13 @@
 #include "editor/tool.hpp"
 #include "model/command_table.hpp"
 #include "model/commands.hpp"
+#include "stroke/smooth_path.hpp"
 
 namespace inkcell::design::editor {
 namespace {
+
+// The part of the pointer's reach by which a stroke may leave what was drawn.
+constexpr double kLoosePart = 0.25;
 
 class StrokeTool : public Tool {
  public:
@@ -20,6 +24,7 @@ class StrokeTool : public Tool {
       return;
     }
     const Point at = {std::round(pointer.at.x), std::round(pointer.at.y)};
+    reach_ = pointer.reach;
     if (std::hypot(at.x - path_.back().x, at.y - path_.back().y) >=
         pointer.reach) {
       path_.push_back(at);
@@ -34,7 +39,7 @@ class StrokeTool : public Tool {
     editor.commit();
     if (is_drawn) {
       editor.message = {keeps_strokes(*before)
-                            ? "Added a stroke; the glyph is made of strokes"
+                            ? "Added a stroke; the Select tool moves its knots"
                             : "Added the outline of a stroke, since the glyph "
                               "has contours of its own"};
     }
@@ -63,10 +68,15 @@ class StrokeTool : public Tool {
   Value command(const Editor& editor) const {
     const GlyphPointer glyph = editor.project().find(editor.glyph_name());
     Value points = Value::array();
-    for (const Point p : path_) {
-      points.push_back({p.x, p.y});
+    for (const StrokePoint& knot : knots_of(path_, kLoosePart * reach_)) {
+      Value point = {knot.at.x, knot.at.y};
+      if (knot.is_corner) {
+        point = {knot.at.x, knot.at.y, nullptr, nullptr, nullptr, "corner"};
+      }
+      points.push_back(point);
     }
-    const Value stroke = {{"nib", editor.nib.text()}, {"points", points}};
+    const Value stroke = {
+        {"nib", editor.nib.text()}, {"points", points}, {"smooth", true}};
     Value strokes = glyph->lib.value(kStrokesKey, Value::array());
     strokes.push_back(stroke);
     const Value command = {{"do", "set_strokes"},
@@ -84,6 +94,7 @@ class StrokeTool : public Tool {
   }
 
   std::vector<Point> path_;
+  double reach_ = 0;  // of the pointer
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "model/error.hpp"
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
+#include "stroke/smooth_path.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -90,7 +91,53 @@ std::vector<double> spread(const Stroke& stroke,
   return values;
 }
 
+StrokePoint point_of(const Value& value, double scale) {
+  const bool ok = value.is_array() && value.size() >= 2 && value.size() <= 6 &&
+                  value[0].is_number() && value[1].is_number() &&
+                  (value.size() < 6 || value[5] == "corner");
+  if (!ok) {
+    throw Error(
+        "points of a stroke are [x, y, width, height, angle, \"corner\"], the "
+        "nib's numbers null or left out where nothing changes, not " +
+        value.dump());
+  }
+  StrokePoint point;
+  point.at = {scale * value[0].get<double>(), scale * value[1].get<double>()};
+  const auto change = [&value](size_t i, double unit_size) {
+    return i < value.size() && value[i].is_number()
+               ? std::optional<double>(unit_size * value[i].get<double>())
+               : std::nullopt;
+  };
+  point.width = change(2, scale);
+  point.height = change(3, scale);
+  point.angle = change(4, gen::kDegree);
+  point.is_corner = value.size() > 5;
+  return point;
+}
+
 }  // namespace
+
+Stroke parse_stroke(const Value& value, double scale) {
+  const bool ok = value.is_object() && value.contains("nib") &&
+                  value["nib"].is_string() && value.contains("points") &&
+                  value["points"].is_array() &&
+                  value.value("smooth", Value(false)).is_boolean();
+  if (!ok) {
+    throw Error(
+        "strokes are { \"nib\": \"ellipse:80,30,45\", \"points\": [...], "
+        "\"smooth\": true }, the last false or left out unless the path goes "
+        "through all points");
+  }
+  Stroke stroke;
+  stroke.nib = parse_nib(value["nib"].get<std::string>());
+  stroke.nib.width *= scale;
+  stroke.nib.height *= scale;
+  stroke.is_smooth = value.value("smooth", false);
+  for (const Value& point : value["points"]) {
+    stroke.points.push_back(point_of(point, scale));
+  }
+  return stroke;
+}
 
 std::vector<Stroke> read_strokes(const std::filesystem::path& file,
                                  const Nib& nib) {
@@ -130,21 +177,36 @@ std::vector<Stroke> read_strokes(const std::filesystem::path& file,
   return strokes;
 }
 
-NibPath fit_path(const Stroke& stroke, double tolerance) {
+std::vector<Nib> nibs_of(const Stroke& stroke) {
   const std::vector<double> width =
       spread(stroke, &StrokePoint::width, stroke.nib.width);
   const std::vector<double> height =
       spread(stroke, &StrokePoint::height, stroke.nib.height);
   const std::vector<double> angle =
       spread(stroke, &StrokePoint::angle, stroke.nib.angle);
+  std::vector<Nib> nibs;
+  for (size_t i = 0; i < stroke.points.size(); ++i) {
+    nibs.push_back({stroke.nib.kind, width[i], height[i], angle[i]});
+  }
+  return nibs;
+}
+
+bool turns_sharply(const Point& before, const Point& at, const Point& after) {
+  return std::fabs(turn(at - before, after - at)) > kPathCorner;
+}
+
+NibPath fit_path(const Stroke& stroke, double tolerance) {
+  const std::vector<Nib> all = nibs_of(stroke);
+  std::vector<StrokePoint> knots;
   std::vector<Point> points;
   std::vector<Nib> nibs;
   for (size_t i = 0; i < stroke.points.size(); ++i) {
     if (!points.empty() && length(points.back() - stroke.points[i].at) == 0) {
       continue;
     }
+    knots.push_back(stroke.points[i]);
     points.push_back(stroke.points[i].at);
-    nibs.push_back({stroke.nib.kind, width[i], height[i], angle[i]});
+    nibs.push_back(all[i]);
   }
   NibPath path;
   if (points.size() == 1) {
@@ -154,12 +216,14 @@ NibPath fit_path(const Stroke& stroke, double tolerance) {
     path.nibs = {nibs[0], nibs[0]};
     return path;
   }
+  if (stroke.is_smooth) {
+    return {smooth_path(knots), nibs};
+  }
   size_t first = 0;
   for (size_t i = 1; i < points.size(); ++i) {
     const bool is_corner =
         i + 1 == points.size() ||
-        std::fabs(turn(points[i] - points[i - 1], points[i + 1] - points[i])) >
-            kPathCorner;
+        turns_sharply(points[i - 1], points[i], points[i + 1]);
     if (!is_corner) {
       continue;
     }

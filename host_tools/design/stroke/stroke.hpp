@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/curve_fitter.hpp"
+#include "model/value.hpp"
 #include "stroke/sweep.hpp"
 
 namespace inkcell::design {
@@ -17,12 +18,17 @@ struct StrokePoint {
   std::optional<double> width;
   std::optional<double> height;
   std::optional<double> angle;  // [radians]
+  bool is_corner = false;       // of a smooth stroke
 };
 
 struct Stroke {
   Nib nib;
+  bool is_smooth = false;  // goes through all points: smooth_path()
   std::vector<StrokePoint> points;
 };
+
+/// A stroke as commands have it, with lengths times `scale`. Throws Error.
+Stroke parse_stroke(const Value& value, double scale);
 
 /// Reads strokes: "x y [width [height [angle]]]" on each line, in u and
 /// degrees, "-" for no change. An empty line ends a stroke, # begins a comment.
@@ -30,9 +36,15 @@ struct Stroke {
 std::vector<Stroke> read_strokes(const std::filesystem::path& file,
                                  const Nib& nib);
 
-/// The path through the points: smoothly joined cubics (Schneider) within
-/// `tolerance` of them [u], with corners where the path turns by more than 60
-/// degrees.
+/// The nib at every point: what points set, interpolated along the path.
+std::vector<Nib> nibs_of(const Stroke& stroke);
+
+/// Whether a path has a corner at `at`: it turns by more than 60 degrees.
+bool turns_sharply(const Point& before, const Point& at, const Point& after);
+
+/// The path through the points. If the stroke is not smooth_path(): smoothly
+/// joined cubics (Schneider) within `tolerance` of them [u], with corners where
+/// it turns_sharply().
 NibPath fit_path(const Stroke& stroke, double tolerance);
 
 /// The area of a stroke, as polygons within kSweepBound_u.

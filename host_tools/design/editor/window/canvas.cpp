@@ -131,6 +131,7 @@ void draw_canvas(Panels& panels) {
   layer.draw_cells();
   layer.draw_contours();
   layer.draw_parts();
+  layer.draw_strokes();
   layer.draw_points();
   layer.draw_marks();
   draw_heading(editor, origin);

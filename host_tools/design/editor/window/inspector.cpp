@@ -7,8 +7,10 @@
 #include "editor/edits.hpp"
 #include "editor/parts.hpp"
 #include "editor/spacing.hpp"
+#include "editor/strokes.hpp"
 #include "editor/window/panels.hpp"
 #include "model/bearings.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -121,6 +123,36 @@ void draw_guide(Editor& editor, size_t index) {
   }
 }
 
+void draw_knot(Editor& editor, PointId id) {
+  const GlyphPointer glyph = editor.glyph();
+  const Stroke stroke = strokes_of(*glyph)[id.contour];
+  const StrokePoint& knot = stroke.points[id.point];
+  Nib nib = nibs_of(stroke)[id.point];
+  Point at = knot.at;
+  double angle = std::round(nib.angle / gen::kDegree * 10) / 10;
+  bool is_moved = number("x", at.x);
+  ImGui::SameLine(0, px(18));
+  is_moved |= number("y", at.y);
+  bool is_changed = number("Width##knot", nib.width);
+  ImGui::SameLine(0, px(18));
+  is_changed |= number("Height##knot", nib.height);
+  is_changed |= number("Angle##knot", angle);
+  attempt(editor, [&] {
+    if (is_moved) {
+      editor.run(move_knots(*glyph, {id}, std::round(at.x - knot.at.x),
+                            std::round(at.y - knot.at.y)));
+    } else if (is_changed) {
+      nib.angle = angle * gen::kDegree;
+      editor.run(set_nib(*glyph, id, nib));
+    }
+  });
+  bool is_smooth = !knot.is_corner;
+  if (stroke.is_smooth && ImGui::Checkbox("Smooth##knot", &is_smooth)) {
+    attempt(editor, [&] { editor.run(toggle_corner(*glyph, id)); });
+  }
+  tooltip("The centre line has no corner here", "S");
+}
+
 void draw_selection(Editor& editor) {
   if (editor.part) {
     ImGui::TextDisabled("Drag the part; arrows move it");
@@ -130,6 +162,13 @@ void draw_selection(Editor& editor) {
     ImGui::TextDisabled("Moved by %g, %g", use.matrix.dx, use.matrix.dy);
   } else if (editor.guide) {
     draw_guide(editor, *editor.guide);
+  } else if (editor.knots.size() == 1) {
+    draw_knot(editor, *editor.knots.begin());
+  } else if (!editor.knots.empty()) {
+    ImGui::Text("%zu knots are selected", editor.knots.size());
+    ImGui::TextDisabled("Arrows move them by 1, Shift 10, Ctrl 100");
+  } else if (has_strokes(*editor.glyph())) {
+    ImGui::TextDisabled("No knot of a stroke is selected");
   } else if (editor.selection.empty()) {
     ImGui::TextDisabled("No point is selected");
   } else if (editor.selection.size() == 1) {

@@ -7,7 +7,9 @@
 #include "editor/parts.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
+#include "editor/strokes.hpp"
 #include "model/error.hpp"
+#include "model/sources.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design::editor {
@@ -284,7 +286,7 @@ void OutlineLayer::handles(size_t contour) const {
 void OutlineLayer::draw_points() const {
   const Selection& selection = panels_.editor.selection;
   const float half = px(3);
-  const bool has_points = !has_tree(*glyph_);  // others are made of parts
+  const bool has_points = !has_source(*glyph_);
   for (size_t c = 0; has_points && c < glyph_->contours.size(); ++c) {
     handles(c);
     const std::vector<GlyphPoint>& points = glyph_->contours[c].points;

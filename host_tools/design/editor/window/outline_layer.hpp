@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "editor/window/panels.hpp"
+#include "stroke/stroke.hpp"
 
 namespace inkcell::design::editor {
 
@@ -19,6 +20,8 @@ class OutlineLayer {
   void draw_fill() const;
   void draw_components() const;
   void draw_parts() const;
+  /// Centre lines, knots and nibs.
+  void draw_strokes() const;
   void draw_cells() const;
   void draw_contours() const;
   void draw_points() const;
@@ -36,6 +39,10 @@ class OutlineLayer {
   void outline(const PointContour& contour, ImU32 colour) const;
   bool shows_handle(size_t contour, size_t point) const;
   void handles(size_t contour) const;
+  void draw_centre_line(const Stroke& stroke) const;
+  void draw_nib(const StrokePoint& knot,
+                const Nib& nib,
+                bool has_handles) const;
 
   Panels& panels_;
   ImVec2 origin_;

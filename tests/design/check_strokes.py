@@ -1,0 +1,139 @@
+"""Checks glyphs that are made of strokes in inkcell-editor: knots and nibs that
+are dragged, what is kept, and the change to curves and back.
+
+Usage: check_strokes.py INKCELL_EDITOR
+"""
+import pathlib
+import sys
+import tempfile
+
+from editor_script import Editor, expect, finish, points_of
+
+NEW = "new P.ufo n,o,v Untitled 1000 800 -200 500 700"
+STEM = ("tool Stroke", "press 100 500", "move 100 400", "move 100 250",
+        "move 100 100", "move 100 0", "release 100 0")
+
+
+def stroke_of(report, number=0):
+    return report["strokes"][number]
+
+
+def edges(report, y):
+    """Where the outline's lines and curves have points near a height."""
+    xs = [p[0] for p in points_of(report) if abs(p[1] - y) < 40]
+    return (min(xs), max(xs)) if xs else None
+
+
+def check_knots(editor):
+    drawn, moved, undone, redone = editor.run(
+        NEW, "screenshot 0.ppm", "nib ellipse:80,80,0", *STEM, "print",
+        "tool Select", "press 100 0", "move 150 -20", "move 200 -30",
+        "release 200 -30", "print", "key ctrl+z", "print", "key ctrl+y",
+        "print")
+    stroke = stroke_of(drawn)
+    expect(stroke["smooth"] and stroke["points"] == [[100, 500], [100, 0]],
+           f"a straight stroke has two knots: {stroke}")
+    expect(stroke_of(moved)["points"] == [[100, 500], [200, -30]],
+           f"a dragged knot: {stroke_of(moved)}")
+    expect(edges(moved, -30)[1] > 215 and moved["contours"] !=
+           drawn["contours"], f"the outline follows: {moved['contours']}")
+    expect(undone["contours"] == drawn["contours"] and
+           undone["strokes"] == drawn["strokes"], "undo of a knot")
+    expect(redone["contours"] == moved["contours"], "redo of a knot")
+    # The journal, the project and an export have it.
+    opened, = editor.run("open P.ufo", "glyph n", "print", "save",
+                         "export F.ttf")
+    expect(opened["strokes"] == moved["strokes"], "recovered strokes")
+    saved, = editor.run("open P.ufo", "glyph n", "print")
+    expect(saved["strokes"] == moved["strokes"] and
+           saved["contours"] == moved["contours"], "saved strokes")
+    font, = editor.run("open F.ttf R.ufo", "glyph n", "print")
+    expect(not font["strokes"] and edges(font, -30)[1] > 215,
+           f"an exported stroke: {font['contours']}")
+
+
+def check_nibs(editor):
+    """The nib of one knot turns and widens; the other keeps its own."""
+    wide, turned, high, refused = editor.run(
+        "open P.ufo", "glyph o", "nib ellipse:80,60,0", *STEM, "tool Select",
+        "press 100 0", "release 100 0", "press 140 0", "move 180 0",
+        "release 200 0", "print", "press 180 0", "move 100 80",
+        "release 100 80", "print", "press 70 0", "move 20 5", "release 20 5",
+        "print", 'try do {"do": "move_points", "points": [[0, 0]], "dx": 1}',
+        "print")
+    expect([p[2:] for p in stroke_of(wide)["points"]] ==
+           [[80, 60, 0], [160, 60, 0]], f"a wider nib: {stroke_of(wide)}")
+    low, top = edges(wide, 0), edges(wide, 500)
+    expect(abs(low[0] - 20) <= 1 and abs(low[1] - 180) <= 1 and
+           top == (60, 140),
+           f"the outline widens: {low}, {top}")
+    expect(stroke_of(turned)["points"][1][2:] == [160, 60, 90],
+           f"a turned nib: {stroke_of(turned)}")
+    expect(stroke_of(high)["points"][1][2:] == [160, 160, 90],
+           f"a higher nib: {stroke_of(high)}")
+    expect("Turn into outline" in refused["message"], refused["message"])
+
+
+def check_corners(editor):
+    """Knots are added, deleted, and made corners."""
+    added, corner, gone = editor.run(
+        "open P.ufo", "glyph o", "key ctrl+a", "key delete",
+        "nib ellipse:40,40,0", *STEM, "tool Select", "press 100 250",
+        "release 100 250", "press 100 250 twice", "release 100 250",
+        "press 100 250", "move 300 250", "release 300 250", "print", "key s",
+        "print", "key delete", "print")
+    expect([p[:2] for p in stroke_of(added)["points"]] ==
+           [[100, 500], [300, 250], [100, 0]], f"a knot: {added['strokes']}")
+    expect(stroke_of(corner)["points"][1][5:] == ["corner"],
+           f"a corner: {corner['strokes']}")
+
+    def widest(report):
+        return max(p[0] for p in points_of(report))
+
+    # A bend passes the knot upright, with the nib's edge right of it.
+    expect(abs(widest(added) - 320) <= 1 and
+           any(p[2] == "curve" and p[1] > 300 for p in points_of(added)),
+           f"a bend: {added['contours']}")
+    expect(corner["contours"] != added["contours"], "a corner is no bend")
+    expect(len(stroke_of(gone)["points"]) == 2, f"deleted: {gone['strokes']}")
+
+
+def check_change_of_paradigm(editor):
+    """Strokes and trees become curves, and are back by undo."""
+    made, curves, edited, back = editor.run(
+        "open P.ufo", "glyph n", "print", "action Turn into outline", "print",
+        "drag 0 5 0", "print", "key ctrl+z", "key ctrl+z", "print")
+    expect(not curves["strokes"] and curves["contours"] == made["contours"],
+           "strokes become their outline")
+    expect(edited["contours"] != made["contours"], "its points move")
+    expect(back["strokes"] == made["strokes"] and
+           back["contours"] == made["contours"], "strokes are back")
+    # A part that is made of strokes: the tree follows its knots.
+    tree, followed, outline, again = editor.run(
+        "open P.ufo", "glyph v", 'do {"do": "set_tree", "tree": {"op": '
+        '"union", "parts": [{"glyph": "n"}, {"glyph": "n", "matrix": '
+        '{"move": [200, 0]}}]}}', "print", "glyph n", "press 200 -30",
+        "move 250 -30", "release 250 -30", "glyph v", "print",
+        "action Turn into outline", "print", "key ctrl+z", "print")
+    expect(followed["contours"] != tree["contours"], "a tree of strokes")
+    expect(outline["contours"] == followed["contours"] and
+           not outline["tree"], "a tree becomes its outline")
+    expect(again["tree"] == tree["tree"], "a tree is back")
+    times, = editor.run("open P.ufo", "glyph n", "latency 3")
+    expect(all(0 < times[what]["cpu_ms"] < 500 for what in
+               ("knot", "nib", "to_outline", "back")), f"latency: {times}")
+    print({what: times[what]["cpu_ms"] for what in times})
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        editor = Editor(str(pathlib.Path(sys.argv[1]).resolve()),
+                        pathlib.Path(name))
+        check_knots(editor)
+        check_nibs(editor)
+        check_corners(editor)
+        check_change_of_paradigm(editor)
+    finish()
+
+
+main()
