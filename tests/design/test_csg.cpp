@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "component/blend_field.hpp"
 #include "component/csg.hpp"
 #include "component/tree.hpp"
 #include "journal/session.hpp"
@@ -113,11 +114,18 @@ TEST_F(Csg, ABlendFollowsItsFormulaAndIsADistanceAgain) {
   const gen::Shape b = shape_of_tree(project_, 0, moved);
   const gen::Shape made = combine(a, b, Combination::blend, kRadius);
   ASSERT_FALSE(made.empty());
+  const BlendField field(a, b, kRadius);
   for (const gen::Edge& edge : made.edges()) {
-    const double da = a.distance(edge.a.x, edge.a.y);
-    const double db = b.distance(edge.a.x, edge.a.y);
-    const double h = std::max(kRadius - std::fabs(da - db), 0.0);
-    EXPECT_NEAR(std::max(da, db) + h * h / (4 * kRadius), 0, 1.0 / 16);
+    EXPECT_NEAR(field.distance(edge.a), 0, 1.0 / 16);
+  }
+  // The right edge of the box crosses the disc by more than a right angle.
+  const double below = 250 - std::sqrt(150.0 * 150 - 80 * 80);
+  for (const double step : {1.0, 10.0, 30.0}) {
+    const Point p = {300 + step, below - step};
+    const double da = a.distance(p.x, p.y);
+    const double db = b.distance(p.x, p.y);
+    const double h = kRadius - std::fabs(da - db);
+    EXPECT_NEAR(field.swell(p), h * h / (4 * kRadius), 1e-9);
   }
   // Just off the edge its distance grows by 1 u per u, in the fillet, too.
   int steep = 0;
@@ -161,13 +169,47 @@ TEST_F(Csg, ABlendKeepsWhatItsFilletsDoNotReach) {
   };
   const gen::Shape a = part(0);
   const gen::Shape b = part(1);
+  const BlendField field(a, b, kRadius);
   const gen::Shape made = shape_of_tree(project_, 0, tree);
   for (const gen::Edge& edge : made.edges()) {
-    const double da = a.distance(edge.a.x, edge.a.y);
-    const double db = b.distance(edge.a.x, edge.a.y);
-    const double h = std::max(kRadius - std::fabs(da - db), 0.0);
-    EXPECT_NEAR(std::max(da, db) + h * h / (4 * kRadius), 0, 1.0);
+    EXPECT_NEAR(field.distance(edge.a), 0, 1.0);
   }
+}
+
+// A bar that begins inside a stem, side by side with the stem's edge.
+TEST_F(Csg, ABlendActsInCornersAlone) {
+  for (const double width : {0.3, 0.15}) {  // of the stem: 90 and 45 units
+    const double right = 300 * width;
+    const Value tree = {
+        {"op", "blend"},
+        {"radius", 60},
+        {"parts",
+         {{{"glyph", "box"}, {"matrix", {width, 0, 0, 3, 0, -200}}},
+          {{"glyph", "box"}, {"matrix", {1, 0, 0, 1, 10, 100}}}}}};
+    const gen::Shape made = shape_of_tree(project_, 0, tree);
+    EXPECT_EQ(made.box().x0, 0);
+    EXPECT_EQ(made.box().x1, 310);
+    for (double y = -199; y < 700; y += 7) {
+      EXPECT_NEAR(made.distance(-1, y), -1, 1e-6) << y;
+    }
+    for (const double y : {400 + 5.0, 100 - 5.0}) {
+      EXPECT_GT(made.distance(right + 5, y), 1) << "no fillet";
+    }
+    // Far from the corners the union stays.
+    EXPECT_NEAR(made.distance(250, 401), -1, 1e-6);
+    EXPECT_NEAR(made.distance(right + 1, 600), -1, 1e-6);
+  }
+}
+
+// Neither bridges nor bulges between shapes that do not cross.
+TEST_F(Csg, ABlendOfShapesThatDoNotCrossIsTheirUnion) {
+  const Value tree = Value::parse(R"({"op": "blend", "radius": 60, "parts": [
+      {"glyph": "box"}, {"glyph": "box", "matrix": [1,0,0,1,310,0]}]})");
+  const std::vector<PointContour> contours =
+      contours_of_tree(project_, 0, tree);
+  ASSERT_EQ(contours.size(), 2u);
+  EXPECT_EQ(contours[0].points.size(), 4u);
+  EXPECT_EQ(contours[1].points.size(), 4u);
 }
 
 TEST_F(Csg, AGlyphFollowsItsParts) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "component/blend_field.hpp"
 #include "component/contour_csg.hpp"
-#include "component/csg.hpp"
 #include "fit/cubic_fit.hpp"
 #include "fit/curve_fitter.hpp"
 #include "fit/loop.hpp"
@@ -57,8 +57,9 @@ class Blender {
           double radius,
           double u_per_unit)
       : scale_(u_per_unit),
-        field_{gen::Shape(outline_of(a, scale_)),
-               gen::Shape(outline_of(b, scale_)), radius * scale_},
+        a_(outline_of(a, scale_)),
+        b_(outline_of(b, scale_)),
+        field_(a_, b_, radius * scale_),
         union_(combined(a, b, "union")) {
     for (const PointContour& contour : union_) {
       edges_.push_back(to_segments(contour, scale_));
@@ -66,7 +67,7 @@ class Blender {
   }
 
   std::vector<PointContour> run() {
-    if (field_.a.empty() || field_.b.empty()) {
+    if (a_.empty() || b_.empty()) {
       return union_;
     }
     std::vector<PointContour> result;
@@ -295,34 +296,10 @@ class Blender {
     return from_segments(result, 1);
   }
 
-  struct Field {
-    gen::Shape a;
-    gen::Shape b;
-    double radius;
-
-    // What the blend adds to the union's distance.
-    double swell(const Point& p) const {
-      const double h = std::max(
-          radius - std::fabs(a.distance(p.x, p.y) - b.distance(p.x, p.y)), 0.0);
-      return h * h / (4 * radius);
-    }
-    double distance(const Point& p) const {
-      const double da = a.distance(p.x, p.y);
-      const double db = b.distance(p.x, p.y);
-      const double h = std::max(radius - std::fabs(da - db), 0.0);
-      return std::max(da, db) + h * h / (4 * radius);
-    }
-    gen::Box box() const {
-      const double reach = radius / 4 + 2;
-      return {std::min(a.box().x0, b.box().x0) - reach,
-              std::min(a.box().y0, b.box().y0) - reach,
-              std::max(a.box().x1, b.box().x1) + reach,
-              std::max(a.box().y1, b.box().y1) + reach};
-    }
-  };
-
   double scale_;
-  Field field_;
+  gen::Shape a_;
+  gen::Shape b_;
+  BlendField field_;
   std::vector<PointContour> union_;
   std::vector<gen::Contour> edges_;
 };

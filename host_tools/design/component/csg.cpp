@@ -1,5 +1,7 @@
 #include "component/csg.hpp"
 
+#include "component/blend_field.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
@@ -52,20 +54,10 @@ gen::Shape clipped(const gen::Shape& a,
 }
 
 gen::Shape blended(const gen::Shape& a, const gen::Shape& b, double k) {
-  const auto distance = [&](const Point& p) {
-    const double da = a.distance(p.x, p.y);
-    const double db = b.distance(p.x, p.y);
-    const double h = std::max(k - std::fabs(da - db), 0.0);
-    return std::max(da, db) + h * h / (4 * k);
-  };
-  // A blend reaches a quarter of k beyond both.
-  const double reach = k / 4 + 2;
-  const gen::Box box = {std::min(a.box().x0, b.box().x0) - reach,
-                        std::min(a.box().y0, b.box().y0) - reach,
-                        std::max(a.box().x1, b.box().x1) + reach,
-                        std::max(a.box().y1, b.box().y1) + reach};
+  const BlendField field(a, b, k);
+  const auto distance = [&field](const Point& p) { return field.distance(p); };
   std::vector<std::vector<Point>> polygons;
-  for (const Loop& loop : walk_contours(distance, box)) {
+  for (const Loop& loop : walk_contours(distance, field.box())) {
     polygons.push_back(loop.points);
   }
   return gen::Shape(outline_of_polygons(polygons));

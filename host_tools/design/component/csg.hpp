@@ -15,9 +15,8 @@ enum class Combination { unite, intersect, subtract, blend };
 /// fields point by point gives none (too small in magnitude on one side). Sharp
 /// combinations are exact to 1/65536 u.
 ///
-/// blend: the union with a fillet, max(a, b) + h^2 / (4 k) with h = max(k - |a
-/// - b|, 0) of both distances; `radius_u` is k > 0. Its edge is traced and
-/// measured again, to 1/16 u.
+/// blend: the union with fillets in its corners, as BlendField has it;
+/// `radius_u` is k > 0. Its edge is traced and measured again, to 1/16 u.
 ///
 /// Throws gen::GeometryError.
 gen::Shape combine(const gen::Shape& a,

@@ -28,6 +28,9 @@ namespace fs = std::filesystem;
 constexpr double kLeastScale = 0.02;  // [px per font unit]
 constexpr double kMostScale = 64;
 constexpr double kFitPart = 0.86;  // the em's part of the canvas
+// A line of text leaves room for the names of heights on its left.
+constexpr double kLinePart = 0.74;
+constexpr double kLineShift = 0.06;
 
 void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
   gen::OutputFile file(path);
@@ -476,13 +479,14 @@ void Editor::fit_view() {
   const double em = project().units_per_em();
   const double top = info.value("ascender", 0.8 * em);
   const double bottom = info.value("descender", -0.2 * em);
-  const double width = tool_kind_ == ToolKind::spacing
-                           ? width_of(line_of_text(project(), preview.text))
-                           : shown->width;
-  view.x = width / 2;
+  const bool is_line = tool_kind_ == ToolKind::spacing;
+  const double width =
+      is_line ? width_of(line_of_text(project(), preview.text)) : shown->width;
+  view.scale = std::min(kFitPart * view.height / std::max(top - bottom, 1.0),
+                        (is_line ? kLinePart : kFitPart) * view.width /
+                            std::max(width, 0.6 * em));
+  view.x = width / 2 - (is_line ? kLineShift * view.width / view.scale : 0);
   view.y = (top + bottom) / 2;
-  view.scale = kFitPart * std::min(view.height / std::max(top - bottom, 1.0),
-                                   view.width / std::max(width, 0.6 * em));
 }
 
 PreviewJob Editor::preview_job() const {

@@ -37,10 +37,18 @@ ImVec2 OutlineLayer::map(double x, double y) const {
 
 void OutlineLayer::draw_zones() const {
   const float right = origin_.x + to_float(view_.width);
+  std::vector<float> labels;  // their heights, which keep apart
   for (const Zone& zone : zones_of(panels_.editor.project())) {
     const float at = std::round(map(0, zone.y).y);
     list_.AddRectFilled({origin_.x, at}, {right, at + 1},
                         zone.y == 0 ? colour::faint : colour::zone);
+    const bool fits = std::none_of(labels.begin(), labels.end(), [at](float y) {
+      return std::fabs(y - at) < ImGui::GetFontSize();
+    });
+    if (!fits) {
+      continue;
+    }
+    labels.push_back(at);
     char text[64];
     std::snprintf(text, sizeof text, "%s %g", zone.label, zone.y);
     list_.AddText({origin_.x + px(8), at - ImGui::GetFontSize() - px(1)},
