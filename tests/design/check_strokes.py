@@ -1,5 +1,5 @@
 """Checks glyphs that are made of strokes in inkcell-editor: knots and nibs that
-are dragged, what is kept, and the change to curves and back.
+are dragged, what is kept, the change to curves and back, and the sample.
 
 Usage: check_strokes.py INKCELL_EDITOR
 """
@@ -125,6 +125,20 @@ def check_change_of_paradigm(editor):
     print({what: times[what]["cpu_ms"] for what in times})
 
 
+def check_sample(editor):
+    """The project that shows the three ways to make glyphs."""
+    stroke, curves, tree, changed = editor.run(
+        "sample", "print", "glyph o", "print", "glyph b", "print", "glyph n",
+        'do {"do": "set_advance", "width": 570}', "print")
+    expect(len(stroke["strokes"]) == 2 and "n is made of strokes" in
+           stroke["message"], f"sample: {stroke['strokes']}")
+    expect(len(curves["contours"]) == 2 and not curves["strokes"] and
+           not curves["tree"], f"sample: {curves['contours']}")
+    expect(tree["tree"]["op"] == "blend", f"sample: {tree['tree']}")
+    again, = editor.run("sample", "print")
+    expect(again["width"] == changed["width"] == 570, "the sample again")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         editor = Editor(str(pathlib.Path(sys.argv[1]).resolve()),
@@ -133,6 +147,7 @@ def main():
         check_nibs(editor)
         check_corners(editor)
         check_change_of_paradigm(editor)
+        check_sample(editor)
     finish()
 
 

@@ -29,6 +29,7 @@ SIZE = 1140, 74           # the field of the glyph's size [px]
 TEXT = 1300, 74           # the field of the preview's text [px]
 OPERATOR = 1120, 703      # the field of a tree's operator [px]
 BLEND = 1120, 826         # its item Blend [px]
+SAMPLE = 676, 398         # the button that opens the sample [px]
 # The font of eight letters: FreeType's coverage against Inkcell's. 16 is the
 # font's tolerance; FreeType rounds points to 1/64 px, 4 on an edge's pixel.
 SIZES_PX = 12, 24, 48
@@ -441,6 +442,12 @@ class WindowTest(unittest.TestCase):
         print(f"Letters.ttf: FreeType's pixels and Inkcell's differ by {worst} "
               f"of 255 at {SIZES_PX} px")
         self.assertLessEqual(worst, MOST_OF_255)
+
+    def test_sample_is_opened_by_a_click(self):
+        run_script(self.scripted, "sample", "screenshot 0.ppm")
+        window = self.start()
+        self.display.send("mousemove", *SAMPLE, "click", 1, "mousemove", *REST)
+        window.wait_for(picture(self.scripted / "0.ppm"), "the sample")
 
     def test_widgets_are_scaled(self):
         run_script(self.scripted, f"open {FONT} P.ufo {CHARS}",

@@ -8,6 +8,7 @@
 #include "editor/edits.hpp"
 #include "editor/glyph_set.hpp"
 #include "editor/parts.hpp"
+#include "editor/sample.hpp"
 #include "editor/spacing.hpp"
 #include "editor/strokes.hpp"
 #include "export/rom.hpp"
@@ -203,6 +204,19 @@ void Editor::create(const fs::path& folder,
   step(order_starts_with_space(this->project()) ? 1 : 0);
   message = {"New font " + folder.filename().string() + " of " +
              std::to_string(project.front().glyphs.size()) + " glyphs"};
+}
+
+void Editor::open_sample() {
+  if (!fs::exists(kSampleFolder)) {
+    UfoFiles files;
+    write_ufo(sample_project(), kSampleFolder, files);
+  }
+  begin(kSampleFolder);
+  preview.text = kSampleText;
+  show("n");
+  message = {
+      "l and o are curves, n is made of strokes, b and d are blends of l and "
+      "o"};
 }
 
 void Editor::save_as(const fs::path& folder) {

@@ -87,6 +87,9 @@ class Editor {
   void create(const std::filesystem::path& folder,
               const Value& info,
               const std::string& glyphs);
+  /// Opens the sample project, which is made in the current folder unless it is
+  /// there.
+  void open_sample();
   void save();
   /// Saves as another project, which does not exist, and continues there; the
   /// old one stays as it was saved last. Throws Error.

@@ -230,6 +230,9 @@ const std::vector<Command>& command_list() {
         "make a project with glyphs A-Z,U+20 and open it"},
        make_font,
        false},
+      {{"sample", "", "open the sample project, Sample.ufo"},
+       [](const Line& l) { l.editor.open_sample(); },
+       false},
       {{"add", "GLYPHS", "add glyphs: A-Z,U+B0 or a name, _stem"},
        [](const Line& l) {
          l.editor.run(add_glyphs(l.editor.project(), l.rest));
@@ -326,7 +329,7 @@ const std::vector<Command>& command_list() {
        true},
       {{"screenshot", "FILE.png", "write a picture of the window"},
        [](const Line& l) { l.screenshot(l.editor, word(l, 0)); },
-       true},
+       false},
       {{"save", "[COPY.ufo]", "save the project, or a copy of it"}, save, true},
       {{"export", "FILE.ttf|FILE.bin|FILE.ufo", "write the font"},
        [](const Line& l) { l.editor.export_to(word(l, 0)); },

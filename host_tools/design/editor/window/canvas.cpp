@@ -91,6 +91,29 @@ void draw_heading(const Editor& editor, ImVec2 origin) {
                                       colour::ink, text);
 }
 
+// What can be opened, before anything is.
+void draw_start(Panels& panels, ImVec2 origin, ImVec2 size) {
+  const ImVec2 button = {px(240), px(34)};
+  const auto place = [&](int row) {
+    ImGui::SetCursorScreenPos(
+        {origin.x + (size.x - button.x) / 2,
+         origin.y + size.y / 2 + px(44) * (static_cast<float>(row) - 1.5f)});
+  };
+  place(0);
+  if (ImGui::Button("Open the sample", button)) {
+    attempt(panels.editor, [&] { panels.editor.open_sample(); });
+  }
+  tooltip("Curves, strokes and parts, in five letters");
+  place(1);
+  if (ImGui::Button("New font", button)) {
+    open_dialog(panels, "New font");
+  }
+  place(2);
+  if (ImGui::Button("Open a font or project", button)) {
+    open_dialog(panels, "Open");
+  }
+}
+
 }  // namespace
 
 void draw_canvas(Panels& panels) {
@@ -103,6 +126,9 @@ void draw_canvas(Panels& panels) {
       editor.view.width != size.x || editor.view.height != size.y;
   editor.view.width = size.x;
   editor.view.height = size.y;
+  if (!editor.is_open()) {
+    draw_start(panels, origin, size);
+  }
   if (editor.glyph() == nullptr) {
     return;
   }

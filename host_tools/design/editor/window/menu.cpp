@@ -51,6 +51,9 @@ void draw_menu(Panels& panels) {
   if (ImGui::BeginMenu("File")) {
     dialog_item(panels, "New font", "Ctrl+N", true);
     dialog_item(panels, "Open", "Ctrl+O", true);
+    if (ImGui::MenuItem("Open the sample")) {
+      attempt(panels.editor, [&] { panels.editor.open_sample(); });
+    }
     item(panels, "Save");
     dialog_item(panels, "Save as", "Ctrl+Shift+S", is_open);
     item(panels, "Revert");
