@@ -1,5 +1,7 @@
 #include "script.hpp"
 
+#include "recording.hpp"
+
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -46,6 +48,8 @@ void run_line(Simulator& simulator,
   if (name == "save") {
     simulator.update();
     save_frame(*simulator.frame(), rest);
+  } else if (name == "record") {
+    record(simulator, rest);
   } else if (name == "screenshot") {
     simulator.update();
     screenshot(simulator, rest);
@@ -63,6 +67,8 @@ const std::vector<ScriptCommand>& script_commands() {
   static const std::vector<ScriptCommand> list = {
       {"save", "FILE.png|FILE.ppm|FILE.bin",
        "write what the display shows, or the bytes of its memory"},
+      {"record", "FILE.gif",
+       "write the scene's loop as a GIF, its pixels as large as zoom"},
       {"screenshot", "FILE.png", "write a picture of the window"},
       {"print", "", "print the settings and the frame's figures as JSON"},
   };

@@ -155,6 +155,28 @@ class Scenes(Case):
             self.assertEqual(shown.read_bytes(),
                              (frames / "00040.png").read_bytes(), scene)
 
+    def test_recording(self):
+        """A recording is the GIF of inkcell-animate."""
+        played = self.folder / "played.gif"
+        recorded = self.folder / "recorded.gif"
+        run("animate", "clock", "--font", self.ROM_FONT, "--size", "96x64",
+            "--fps", 30, "--seconds", 10, "--zoom", 2, "--format", "gif",
+            "--out", played)
+        done = self.script("scene clock", "display xrgb8888", "size 96x64",
+                           "zoom 2", "frame 40", f"record {recorded}", "print")
+        self.assertEqual(recorded.read_bytes(), played.read_bytes())
+        self.assertEqual(json.loads(done.stdout)["frame"], 40)
+        run("simulator", "--font", self.ROM_FONT, "--scene", "clock",
+            "--display", "mono", "--size", "32x16", "--record", recorded)
+        self.assertEqual(recorded.read_bytes()[:10],
+                         b"GIF89a" + bytes((32, 0, 16, 0)))
+        for line, said in ((f"record {recorded}", "does not move"),
+                           ("record x.png", ".gif"),
+                           ("record nowhere/a.gif", "nowhere")):
+            lines = [] if "move" in said else ["scene clock"]
+            done = self.script(*lines, line, code=1)
+            self.assertIn(said, done.stderr)
+
     def test_strips(self):
         """The picture is the same for every height of a strip."""
         for lines in (("display grey4", "angle 30"),

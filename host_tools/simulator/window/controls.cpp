@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording.hpp"
 #include "window/panels.hpp"
 
 namespace inkcell::tools {

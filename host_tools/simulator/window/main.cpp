@@ -5,6 +5,7 @@
 
 #include "convert.hpp"
 #include "program.hpp"
+#include "recording.hpp"
 #include "script.hpp"
 #include "window/panels.hpp"
 #include "window/screen.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string script;
   std::string screenshot;
   std::string save;
+  std::string record;
   float scale = 1;
 };
 
@@ -122,7 +124,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const Conversion conversion = conversion_of(app, arguments.request);
   const bool has_window = arguments.script.empty() &&
                           arguments.screenshot.empty() &&
-                          arguments.save.empty();
+                          arguments.save.empty() && arguments.record.empty();
   FontWorker worker([&](const FontWish& wish,
                         const FontWorker::Progress& progress) {
     return make_font(
@@ -155,6 +157,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
   if (!arguments.save.empty()) {
     simulator.update();
     save_frame(*simulator.frame(), arguments.save);
+  }
+  if (!arguments.record.empty()) {
+    record(simulator, arguments.record);
   }
   if (!arguments.screenshot.empty()) {
     simulator.update();
@@ -195,6 +200,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Write what the display shows, or as .bin its memory, instead "
                  "of opening a window")
       ->type_name("FILE");
+  app.add_option("--record", arguments.record,
+                 "Write the scene's loop as a GIF instead of opening a window")
+      ->type_name("FILE.gif");
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture of the window instead of opening it")
       ->type_name("FILE.png");

@@ -30,6 +30,7 @@ struct Panels {
   ImVec2 pan = {0, 0};  // of the display from the middle of its panel [px]
   int zoom = 1;         // as it is shown
   std::string pointed;  // the pixel under the pointer
+  std::string message;  // of the last recording
 };
 
 /// Draws the whole window.
@@ -42,10 +43,5 @@ void draw_status(Panels& panels);
 
 /// Handles a key by its SDL name.
 void handle_key(Panels& panels, const std::string& key);
-
-/// Whether the scene is animated.
-bool is_moving(const Settings& settings);
-/// Frames until the scene repeats.
-int loop_frames(const Settings& settings);
 
 }  // namespace inkcell::tools

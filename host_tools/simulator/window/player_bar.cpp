@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "paper.hpp"
+#include "recording.hpp"
 #include "window/panels.hpp"
 
 namespace inkcell::tools {
@@ -11,7 +12,6 @@ namespace {
 constexpr float kSideWidth = 352;
 constexpr float kBarHeight = 46;
 constexpr float kStatusHeight = 30;
-constexpr int kDemoFrames = 480;  // a minute of its clock
 
 // Advances by the time since the last frame of the window.
 void play(Panels& panels) {
@@ -26,6 +26,18 @@ void play(Panels& panels) {
 void step(Settings& settings, int frames) {
   const auto frame = static_cast<int>(settings.frame) + frames;
   settings.frame = static_cast<uint32_t>(std::max(frame, 0));
+}
+
+// Names the file after the scene.
+void record_scene(Panels& panels) {
+  const std::string file = panels.simulator.settings.scene + ".gif";
+  panels.is_playing = false;
+  try {
+    record(panels.simulator, file);
+    panels.message = "Wrote " + file;
+  } catch (const std::exception& error) {
+    panels.message = error.what();
+  }
 }
 
 // A progress bar while a font is being made.
@@ -50,15 +62,6 @@ bool draw_work(const Panels& panels) {
 }
 
 }  // namespace
-
-bool is_moving(const Settings& settings) {
-  return settings.scene != kTextScene;
-}
-
-int loop_frames(const Settings& settings) {
-  return settings.scene == kDemoScene ? kDemoFrames
-                                      : static_cast<int>(scenes::kLoopFrames);
-}
 
 void handle_key(Panels& panels, const std::string& key) {
   Settings& settings = panels.simulator.settings;
@@ -110,6 +113,11 @@ void draw_player_bar(Panels& panels) {
   }
   tooltip("One frame on", "Right");
   ImGui::SameLine();
+  if (ImGui::Button("Record")) {
+    record_scene(panels);
+  }
+  tooltip("Writes the scene's loop as a GIF into the current folder");
+  ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   const int loop = loop_frames(settings);
   auto frame = static_cast<int>(settings.frame) % loop;
@@ -138,7 +146,8 @@ void draw_status(Panels& panels) {
   ImGui::SameLine(0, px(18));
   ImGui::Text("%d x", panels.zoom);
   ImGui::SameLine(0, px(18));
-  ImGui::TextDisabled("%s", panels.pointed.c_str());
+  ImGui::TextDisabled("%s", panels.pointed.empty() ? panels.message.c_str()
+                                                   : panels.pointed.c_str());
   if (const auto frame = panels.simulator.frame()) {
     char text[64];
     std::snprintf(text, sizeof text, "drawn in %.2f ms on this machine",
