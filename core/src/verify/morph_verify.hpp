@@ -8,7 +8,7 @@
 namespace inkcell {
 namespace detail {
 
-/// Whether pairs ascend and name glyphs that exist, a plain glyph has one second
+/// Whether pairs ascend and name glyphs that exist, a glyph has one second
 /// master at most, and no record makes more points than the section says. An
 /// empty section fits.
 bool morphs_fit(const Span<const uint8_t>& section,
