@@ -30,10 +30,11 @@ TEXT = 1300, 74           # the field of the preview's text [px]
 OPERATOR = 1120, 703      # the field of a tree's operator [px]
 BLEND = 1120, 826         # its item Blend [px]
 SAMPLE = 676, 398         # the button that opens the sample [px]
-# The font of eight letters: FreeType's coverage against Inkcell's. 16 is the
-# font's tolerance; FreeType rounds points to 1/64 px, 4 on an edge's pixel.
-SIZES_PX = 12, 24, 48
-MOST_OF_255 = 20
+# The font of eight letters: FreeType's coverage against Inkcell's. Edges are off
+# by 16/255 px at most, the font's tolerance, across a pixel up to 1.41 px long;
+# FreeType rounds points to 1/64 px, 4 on an edge's pixel.
+SIZES_PX = 12, 24, 32, 48
+MOST_OF_255 = 26
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
