@@ -51,6 +51,14 @@ select 3
 screenshot docs/img/editor.png
 END
 "$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
+# A knot of the sample's n, with its nib.
+cat >"$folder/strokes.txt" <<END
+sample
+press 280 462
+release 280 462
+screenshot $PWD/docs/img/strokes.png
+END
+(cd "$folder" && "$tools/design/editor/inkcell-editor" --script strokes.txt)
 "$tools/simulator/inkcell-simulator" --display grey4 --size 128x64 --px 40 \
   --text Rag --hint vertical --overlay on --screenshot docs/img/simulator.png
 # Eight letters made by the steps of the window's test, and an OLED with them.
