@@ -866,8 +866,9 @@ class Tools(unittest.TestCase):
 
     def test_inspect_tells_of_masters(self):
         rom = self.path / "masters.bin"
-        run("fontgen", "--font", INTER, "--symbols", "ABC", "--axis",
-            "wght=300..800", "--out", rom)
+        said = run("fontgen", "--font", INTER, "--symbols", "ABC", "--axis",
+                   "wght=300..800", "--out", rom)
+        self.assertRegex(said, r"second masters +6 glyphs, \d\d+ bytes\n")
         said = run("inspect", rom)
         self.assertRegex(said, r"morphs +6 pairs\n")  # with ' ', '.' and '-'
         self.assertRegex(said, r"second masters +6 glyphs\n")

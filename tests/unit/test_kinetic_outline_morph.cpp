@@ -521,6 +521,18 @@ TEST(verify_reads_morphs) {
   // Masters from 8 on: glyph 7 has one. From 7 on: 7 is one itself.
   CHECK_EQ(verify_with(6, 8), Status::ok);
   CHECK_EQ(verify_with(6, 7), Status::corrupt);
+  // Glyph 1 with 2, 3 and 8: from 8 on one of them is a master, from 3 on two.
+  const uint8_t kMasters[] = {8, 3};
+  for (const uint8_t masters : kMasters) {
+    Font font = font_with(10, 1 | 3 << 4);
+    uint8_t* const bytes =
+        font_bytes + (font.section(format::section::kMorphs).data - font_bytes);
+    bytes[12] = 1 | 8 << 4;
+    bytes[6] = masters;
+    CHECK(font_builder::repair_checksums({font_bytes, font_size}));
+    CHECK_OK(Font::open({font_bytes, font_size}, font));
+    CHECK_EQ(font.verify(), masters == 8 ? Status::ok : Status::corrupt);
+  }
   // 96 pieces: too many points.
   CHECK_EQ(verify_with(kTableEnd, 0x37), Status::corrupt);
   build_font();

@@ -139,6 +139,10 @@ std::string report_for_people(const FontReport& report) {
   std::string text = report.name + " (" + report.file_name + ")\n";
   text += format("  %-16s%zu, for %zu characters\n", "glyphs",
                  report.glyphs.size(), report.characters);
+  if (report.masters != 0) {
+    text += format("  %-16s%zu glyphs, %zu bytes\n", "second masters",
+                   report.masters, report.master_bytes);
+  }
   if (options.predicate == Predicate::fixed) {
     text +=
         format("  %-16s1/1024 em, cells of 1/512 em and more\n", "tolerance");
@@ -230,6 +234,8 @@ std::string report_as_json(const FontReport& report) {
   json["file"] = report.file_name;
   json["glyphs"] = report.glyphs.size();
   json["characters"] = report.characters;
+  json["master_count"] = report.masters;
+  json["master_bytes"] = report.master_bytes;
   json["missing"] = report.missing.size();
   if (!report.added.empty()) {
     const CharSet added(report.added.begin(), report.added.end());

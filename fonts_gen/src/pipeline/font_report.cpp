@@ -113,6 +113,10 @@ FontReport make_report(const SourceFont& font,
     if (has_only(font.glyphs[i].code_points, font.added)) {
       report.added_bytes += glyph.bytes;
     }
+    if (!font.glyphs[i].master.empty()) {
+      ++report.masters;
+      report.master_bytes += glyph.bytes;
+    }
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
     report.points += built.references.empty() ? glyph.points : 0;

@@ -58,6 +58,8 @@ struct FontReport {
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;
   size_t characters = 0;
+  size_t masters = 0;       // glyphs that are second masters
+  size_t master_bytes = 0;  // of their records
   int left_classes = 0;
   int right_classes = 0;
   size_t cells = 0;
