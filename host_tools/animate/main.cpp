@@ -152,7 +152,7 @@ struct Tally {
   uint64_t missed_pixels = 0;  // changed outside of dirty rectangles
   uint32_t still_frames = 0;   // without a dirty rectangle
   uint32_t missed_frames = 0;  // changed before they were due
-  std::optional<Penetration> penetration;  // the deepest of all frames
+  std::optional<BodyFigures> bodies;
 };
 
 // Compares a frame with the one before and with the scene's dirty rectangles.
@@ -262,9 +262,13 @@ void write_stats(const Arguments& arguments,
       {"still_frames", tally.still_frames},
       {"missed_frames", tally.missed_frames},
   };
-  if (tally.penetration) {
-    json["worst_penetration_px"] = tally.penetration->drawn;
-    json["worst_rigid_penetration_px"] = tally.penetration->rigid;
+  if (tally.bodies) {
+    const BodyFigures& all = *tally.bodies;
+    json["worst_penetration_px"] = all.drawn;
+    json["worst_rigid_penetration_px"] = all.rigid;
+    json["ink_of_a_letter"] = {all.least_body_ink, all.greatest_body_ink};
+    json["ink_of_a_frame"] = {all.least_ink, all.greatest_ink};
+    json["resting_off_floor"] = all.off_floor.value_or(0);
   }
   std::ofstream out(arguments.stats);
   out << json.dump(2) << '\n';
@@ -301,10 +305,9 @@ void play(const Arguments& arguments, Player& player, Size size) {
     }
     due = player.next_due();
     const std::vector<uint8_t> state = player.state();
-    if (const std::optional<Penetration> now = player.penetration()) {
-      const Penetration most = tally.penetration.value_or(Penetration{});
-      tally.penetration = {std::max(most.drawn, now->drawn),
-                           std::max(most.rigid, now->rigid)};
+    if (const std::optional<BodyFigures> now = player.figures()) {
+      tally.bodies = tally.bodies.value_or(BodyFigures());
+      tally.bodies->add(*now);
     }
     tally.all.add(state);
     tally.all.add(frame.pixels);

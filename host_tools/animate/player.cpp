@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 
@@ -29,15 +30,16 @@ namespace {
 
 constexpr size_t kWorkspaceBytes = 4096;
 
-// Distances inside of a body for each pixel of its box, as drawn: a filter of
-// +-4 px turns them into coverage.
-struct DrawnDistances {
+// The coverage of a body for each pixel of its box. Through a filter of +-4 px
+// it is the distance inside, 32 for each px and 128 at the edge.
+struct DrawnBody {
   Rect box;
   std::vector<uint8_t> coverage;
 
-  DrawnDistances(Span<const kinetic::Body> bodies,
-                 size_t index,
-                 const kinetic::BodyRules& rules)
+  DrawnBody(Span<const kinetic::Body> bodies,
+            size_t index,
+            const kinetic::BodyRules& rules,
+            const Filter& filter)
       : box(intersect(kinetic::box_of(bodies[index]), rules.walls)) {
     if (bodies[index].shape == nullptr || is_empty(box)) {
       box = {};
@@ -50,14 +52,13 @@ struct DrawnDistances {
     sink.context = this;
     sink.coverage = [](void* context, int32_t x, int32_t y,
                        const uint8_t* values, int32_t count) {
-      std::copy_n(values, count,
-                  static_cast<DrawnDistances*>(context)->at(x, y));
+      std::copy_n(values, count, static_cast<DrawnBody*>(context)->at(x, y));
     };
     sink.solid = [](void* context, int32_t x, int32_t y, int32_t count) {
-      std::fill_n(static_cast<DrawnDistances*>(context)->at(x, y), count,
+      std::fill_n(static_cast<DrawnBody*>(context)->at(x, y), count,
                   uint8_t{255});
     };
-    kinetic::draw_body(bodies, index, rules, kinetic::kFilterDistance, sink);
+    kinetic::draw_body(bodies, index, rules, filter, sink);
   }
   uint8_t* at(int x, int y) {
     return &coverage[static_cast<size_t>(y - box.y0) *
@@ -69,9 +70,9 @@ struct DrawnDistances {
 // Where two edges overlap by d, the middle is d / 2 inside of both.
 double penetration_of(Span<const kinetic::Body> bodies,
                       const kinetic::BodyRules& rules) {
-  std::vector<DrawnDistances> drawn;
+  std::vector<DrawnBody> drawn;
   for (size_t i = 0; i < bodies.size; ++i) {
-    drawn.emplace_back(bodies, i, rules);
+    drawn.emplace_back(bodies, i, rules, kinetic::kFilterDistance);
   }
   int most = 128;
   for (size_t i = 0; i < drawn.size(); ++i) {
@@ -86,6 +87,58 @@ double penetration_of(Span<const kinetic::Body> bodies,
     }
   }
   return 2 * (most - 128) / 32.0;
+}
+
+double ink_of(Span<const kinetic::Body> bodies,
+              size_t index,
+              const kinetic::BodyRules& rules) {
+  const DrawnBody drawn(bodies, index, rules, kFilterMotion);
+  return std::accumulate(drawn.coverage.begin(), drawn.coverage.end(), 0.0);
+}
+
+BodyFigures figures_of(Span<const kinetic::Body> bodies,
+                       const kinetic::BodyRules& rules) {
+  // The same bodies, without neighbours and walls.
+  std::vector<kinetic::Body> rigid(bodies.begin(), bodies.end());
+  for (kinetic::Body& body : rigid) {
+    for (kinetic::BodyTouch& touch : body.touches) {
+      touch = {};
+    }
+  }
+  const Span<const kinetic::Body> undeformed = {rigid.data(), rigid.size()};
+  kinetic::BodyRules open = rules;
+  open.walls = {-8191, -8191, 8191, 8191};
+  BodyFigures figures;
+  figures.drawn = penetration_of(bodies, rules);
+  figures.rigid = std::max(
+      0.0, penetration_of(undeformed, rules) - rules.overlap.raw / 1024.0);
+  double ink = 0;
+  double whole = 0;
+  int off_floor = 0;
+  for (size_t i = 0; i < bodies.size; ++i) {
+    const double now = ink_of(bodies, i, rules);
+    const double alone = ink_of(undeformed, i, open);
+    ink += now;
+    whole += alone;
+    if (alone > 0) {
+      figures.least_body_ink = std::min(figures.least_body_ink, now / alone);
+      figures.greatest_body_ink =
+          std::max(figures.greatest_body_ink, now / alone);
+    }
+    const kinetic::Body& body = bodies[i];
+    bool is_low = body.shape == nullptr;
+    for (const kinetic::BodyTouch& touch : body.touches) {
+      is_low = is_low || touch.with == kinetic::BodyTouch::kWalls + 3;
+    }
+    off_floor += is_low ? 0 : 1;
+  }
+  if (whole > 0) {
+    figures.least_ink = figures.greatest_ink = ink / whole;
+  }
+  if (kinetic::are_asleep(bodies)) {
+    figures.off_floor = off_floor;
+  }
+  return figures;
 }
 
 template <typename Scene>
@@ -141,18 +194,9 @@ class ScenePlayer : public Player {
            homes_.size() * sizeof homes_[0];
   }
 
-  std::optional<Penetration> penetration() const override {
+  std::optional<BodyFigures> figures() const override {
     if constexpr (std::is_same_v<Scene, scenes::BodyScene>) {
-      kinetic::BodyRules rules = scene_.rules();
-      const double drawn = penetration_of(scene_.bodies(), rules);
-      std::vector<kinetic::Body> rigid(scene_.bodies().begin(),
-                                       scene_.bodies().end());
-      rules.overlap = {};
-      for (kinetic::Body& body : rigid) {
-        body.squeeze = {};
-      }
-      return Penetration{drawn,
-                         penetration_of({rigid.data(), rigid.size()}, rules)};
+      return figures_of(scene_.bodies(), scene_.rules());
     } else {
       return std::nullopt;
     }
@@ -185,6 +229,16 @@ SceneKind kind_of(std::string_view name,
 }
 
 }  // namespace
+
+void BodyFigures::add(const BodyFigures& frame) {
+  drawn = std::max(drawn, frame.drawn);
+  rigid = std::max(rigid, frame.rigid);
+  least_body_ink = std::min(least_body_ink, frame.least_body_ink);
+  greatest_body_ink = std::max(greatest_body_ink, frame.greatest_body_ink);
+  least_ink = std::min(least_ink, frame.least_ink);
+  greatest_ink = std::max(greatest_ink, frame.greatest_ink);
+  off_floor = frame.off_floor ? frame.off_floor : off_floor;
+}
 
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = {

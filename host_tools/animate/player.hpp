@@ -17,10 +17,22 @@
 
 namespace inkcell::tools {
 
-/// The overlap of two shapes. [px]
-struct Penetration {
-  double drawn = 0;  // after deformation
-  double rigid = 0;  // without deformation
+/// Figures of bodies in one frame, or the extremes of several.
+struct BodyFigures {
+  // The deepest overlap of two: as drawn, and without deformation, beyond what
+  // the rules allow. [px]
+  double drawn = 0;
+  double rigid = 0;
+  // Ink as drawn over ink without deformation: of a body, and of all.
+  double least_body_ink = 1;
+  double greatest_body_ink = 1;
+  double least_ink = 1;
+  double greatest_ink = 1;
+  // Bodies that lie on others, off the floor; none while one moves.
+  std::optional<int> off_floor;
+
+  /// Adds a later frame.
+  void add(const BodyFigures& frame);
 };
 
 /// A scene of any kind. The font and the text must outlive it.
@@ -38,8 +50,8 @@ class Player {
   virtual std::vector<uint8_t> state() const = 0;
   /// RAM of the scene and its grids, without strips. [bytes]
   virtual size_t state_bytes() const = 0;
-  /// The overlap of bodies, by pixels; none if the scene has no bodies.
-  virtual std::optional<Penetration> penetration() const = 0;
+  /// Figures of the bodies, by pixels; none if the scene has none.
+  virtual std::optional<BodyFigures> figures() const = 0;
 };
 
 struct SceneKind {

@@ -310,7 +310,9 @@ void use_bodies(Choices& choices) {
     body.spin_q20 = choices.number();
     body.is_fixed = choices.byte() % 8 == 1;
     body.still_steps = choices.byte();
-    body.squeeze.raw = choices.i16();
+    for (BodyTouch& touch : body.touches) {
+      touch = {choices.byte(), choices.byte(), choices.byte()};
+    }
   }
   BodyRules rules;
   rules.walls = choices.rect();

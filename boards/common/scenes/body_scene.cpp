@@ -22,6 +22,18 @@ constexpr uint32_t kKicks = 165;
 constexpr uint32_t kOpens =
     287;  // the last letter has left when the first falls
 
+using Touches = BodyTouch[Body::kMostTouches];
+
+bool are_equal(const Touches& a, const Touches& b) noexcept {
+  for (size_t i = 0; i < Body::kMostTouches; ++i) {
+    if (a[i].with != b[i].with || a[i].bulge_q6 != b[i].bulge_q6 ||
+        a[i].swell_q8 != b[i].swell_q8) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 BodyScene::BodyScene(const SceneSetting& setting) noexcept
@@ -199,7 +211,7 @@ bool BodyScene::has_changed(int32_t index) const noexcept {
   const Body& then = before_[index];
   return now.shape != then.shape || now.x.raw != then.x.raw ||
          now.y.raw != then.y.raw || now.turn_q32 != then.turn_q32 ||
-         now.squeeze.raw != then.squeeze.raw;
+         !are_equal(now.touches, then.touches);
 }
 
 // The box of a letter's old and new position.
@@ -251,7 +263,9 @@ void BodyScene::tell_state(const StateSink& sink) const noexcept {
     sink.tell(body.y_speed.raw);
     sink.tell(static_cast<int32_t>(body.turn_q32));
     sink.tell(body.spin_q20);
-    sink.tell(body.squeeze.raw);
+    for (const BodyTouch& touch : body.touches) {
+      sink.tell((touch.with << 16) + (touch.bulge_q6 << 8) + touch.swell_q8);
+    }
   }
 }
 

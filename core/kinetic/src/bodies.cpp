@@ -373,7 +373,9 @@ Rect box_of(const Body& body) noexcept {
   }
   const int32_t x = body.x.raw >> 16;
   const int32_t y = body.y.raw >> 16;
-  const int32_t radius = body.shape->radius() + 2;
+  // With a bulge, a swell and half of an edge's ramp.
+  const int32_t radius =
+      body.shape->radius() + 3 + (1 << min(body.shape->grid().scale_log2(), 1));
   return {x - radius, y - radius, x + radius + 1, y + radius + 1};
 }
 

@@ -9,10 +9,13 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-// A contact, from the first body's centre. [px, Q8] The normal is not
-// normalised yet. [Q13]
+// Bodies nearer than this are examined, and may meet by their bulges. [px, Q10]
+constexpr int32_t kNearQ10 = 4 << 10;
+
+// A candidate for a contact, from the first body's centre. [px, Q8] The normal
+// is not normalised yet. [Q13]
 struct Touch {
-  int32_t id;  // below 0: unused
+  int32_t id;
   int32_t distance_q10;
   int32_t x;
   int32_t y;
@@ -21,43 +24,29 @@ struct Touch {
   int32_t along;  // position across the line between the centres
 };
 
-class Touches {
- public:
-  Touches() noexcept {
-    for (Touch& touch : kept_) {
-      touch.id = -1;
-    }
+// While contacts are sought, the entries after them hold candidates, so that
+// the stack need not: soft_q10 is the id, below 0 if unused.
+void keep(BodyContact& kept, const Touch& touch, bool is_better) noexcept {
+  if (kept.soft_q10 < 0 || is_better) {
+    kept.soft_q10 = touch.id;
+    kept.gap_q10 = touch.distance_q10;
+    kept.first_normal = touch.x;
+    kept.first_tangent = touch.y;
+    kept.nx = touch.nx;
+    kept.ny = touch.ny;
+    kept.second_normal = touch.along;
   }
+}
 
-  // Not inline, to keep the touches out of its callers' frames.
-  __attribute__((noinline)) void add(const Touch& touch, bool faces) noexcept {
-    keep(0, touch, touch.along < kept_[0].along);
-    keep(1, touch, touch.along > kept_[1].along);
-    Touch& deep = kept_[faces ? 2 : 3];
-    if (deep.id < 0 || touch.distance_q10 > deep.distance_q10) {
-      deep = touch;
-    }
-  }
-
-  // Whether this entry is used, and not a copy of an earlier one.
-  bool is_own(size_t index) const noexcept {
-    bool is = kept_[index].id >= 0;
-    for (size_t i = 0; i < index; ++i) {
-      is = is && kept_[i].id != kept_[index].id;
-    }
-    return is;
-  }
-  const Touch& operator[](size_t index) const noexcept { return kept_[index]; }
-
- private:
-  void keep(size_t index, const Touch& touch, bool is_farther) noexcept {
-    if (kept_[index].id < 0 || is_farther) {
-      kept_[index] = touch;
-    }
-  }
-
-  Touch kept_[kContactsOfPair];
-};
+// Not inline, to keep the candidate out of its callers' frames.
+__attribute__((noinline)) void add_touch(BodyContact* kept,
+                                         const Touch& touch,
+                                         bool faces) noexcept {
+  keep(kept[0], touch, touch.along < kept[0].second_normal);
+  keep(kept[1], touch, touch.along > kept[1].second_normal);
+  BodyContact& deep = kept[faces ? 2 : 3];
+  keep(deep, touch, touch.distance_q10 > deep.gap_q10);
+}
 
 // (x, y), y down, rotated; the sum of products fits 32 bits in Q14.
 int32_t turned_x(const Turn& turn, int32_t x, int32_t y) noexcept {
@@ -72,6 +61,26 @@ bool can_move(const Body& body) noexcept {
   return !body.is_fixed && !body.is_asleep();
 }
 
+// Sums over the points of a body.
+struct Sums {
+  int32_t most;         // the greatest distance inside of the other [px, Q10]
+  int32_t lost_q6 = 0;  // of distances inside of the other [px]
+  int32_t room_q9 = 0;  // of shares of a bulge
+  int32_t outside = 0;  // the points there [1/2]
+
+  // Points at corners are closer together: each counts half.
+  void add(int32_t distance_q10, bool is_corner, int32_t scale_log2) noexcept {
+    const uint32_t half = is_corner ? 1 : 0;
+    most = max(most, distance_q10);
+    if (distance_q10 > 0) {
+      lost_q6 += distance_q10 >> (4 + half);
+    } else {
+      outside += is_corner ? 1 : 2;
+      room_q9 += bulge_share(distance_q10, scale_log2) >> (1 + half);
+    }
+  }
+};
+
 // Looks up the points of `from` in the distances of `into`.
 struct Look {
   const Body& from;
@@ -80,11 +89,11 @@ struct Look {
   int32_t y_between;
   bool is_first;      // `from` is the first body of the pair
   int32_t touch_q10;  // distances above it touch [px]
+  BodyContact* kept;  // the candidates; null: no memory
 
-  void add(int32_t id,
-           const BodyPoint& point,
-           const GridPoint& here,
-           Touches& touches) const noexcept {
+  __attribute__((noinline)) void add(int32_t id,
+                                     const BodyPoint& point,
+                                     const GridPoint& here) const noexcept {
     const Turn turn = turn_of(from.angle());
     Touch touch;
     touch.id = id;
@@ -101,18 +110,16 @@ struct Look {
         sign * (turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
     touch.ny =
         sign * (turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
-    // Across the line between the centres.
     touch.along =
         (touch.x >> 4) * (y_between >> 4) - (touch.y >> 4) * (x_between >> 4);
     const bool faces = (touch.nx >> 2) * (x_between >> 4) +
                            (touch.ny >> 2) * (y_between >> 4) >=
                        0;
-    touches.add(touch, faces);
+    add_touch(kept, touch, faces);
   }
 
-  // Adds touches, and returns the greatest distance inside of `into`, at least
-  // `least`. [px, Q10]
-  int32_t find(int32_t least, Touches& touches) const noexcept {
+  // Keeps touches, and adds to `sums`.
+  void find(Sums& sums) const noexcept {
     const BodyShape& shape = *into.shape;
     const DistanceGrid& grid = shape.grid();
     const Turn of_into = turn_of(into.angle());
@@ -133,27 +140,29 @@ struct Look {
     };
     const int32_t apart = beyond(x0, y0) - (from.shape->radius() << 10);
     if (apart >= 0) {
-      return -apart - shape.margin_q10();
+      sums.most = max(sums.most, -apart - shape.margin_q10());
+      return;
     }
-    int32_t most = least;
     int32_t id = is_first ? 0 : 1 << 16;
     for (const BodyPoint& point : from.shape->points()) {
+      const bool is_corner =
+          static_cast<size_t>(id & 0xffff) < from.shape->corner_count();
       ++id;
       const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
       const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
       const int32_t out = beyond(x, y);
       if (out >= 0) {
-        most = max(most, -out - shape.margin_q10());
+        sums.most = max(sums.most, -out - shape.margin_q10());
+        sums.outside += is_corner ? 1 : 2;
         continue;
       }
       const GridPoint here =
           probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
-      most = max(most, here.distance_q10);
-      if (here.distance_q10 > touch_q10) {
-        add(id, point, here, touches);
+      sums.add(here.distance_q10, is_corner, grid.scale_log2());
+      if (here.distance_q10 > touch_q10 && kept != nullptr) {
+        add(id, point, here);
       }
     }
-    return most;
   }
 };
 
@@ -188,11 +197,6 @@ struct Finder {
     note(b, distance_q10, a.is_fixed ? 256 : 256 - part);
   }
 
-  void squeeze(Body& body, int32_t distance_q10) const noexcept {
-    body.squeeze.raw =
-        static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
-  }
-
   // A sleeper wakes if a fast body touches it.
   void wake(Body& body, const Body& by) const noexcept {
     if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
@@ -200,24 +204,88 @@ struct Finder {
     }
   }
 
-  // (x_between, y_between): from the second's centre to the first's. [px, Q8]
+  // Forgets touches that will be examined.
+  void forget(size_t index) const noexcept {
+    const bool moves = can_move(bodies[index]);
+    for (BodyTouch& touch : bodies[index].touches) {
+      if (moves || (touch.with < bodies.size && can_move(bodies[touch.with]))) {
+        touch = BodyTouch();
+      }
+    }
+  }
+
+  // The area that a body has lost goes into a bulge around the contact, and
+  // what exceeds the greatest bulge all around the body. [px^2, Q10]
+  __attribute__((noinline)) void squash(Body& body,
+                                        size_t with,
+                                        int32_t lost_q10,
+                                        const Sums& sums) const noexcept {
+    const BodyShape& shape = *body.shape;
+    const int32_t around_q10 = max(
+        1,
+        static_cast<int32_t>(int64_t{sums.room_q9} * shape.spacing_q5() >> 4));
+    const int32_t bulge_q10 = min(lost_q10 * 1024 / around_q10,
+                                  most_bulge_q10(shape.grid().scale_log2()));
+    const int32_t length = sums.outside * shape.spacing_q5() >> 6;
+    const int32_t left_q10 =
+        lost_q10 -
+        clamp_i64(int64_t{bulge_q10} * around_q10 >> 10, 0, lost_q10);
+    BodyTouch* to = body.touches;
+    for (BodyTouch& touch : body.touches) {
+      if (touch.with == with) {
+        to = &touch;
+        break;
+      }
+      const bool is_less = touch.bulge_q6 < to->bulge_q6;
+      if (to->with != BodyTouch::kNothing &&
+          (touch.with == BodyTouch::kNothing || is_less)) {
+        to = &touch;
+      }
+    }
+    to->with = static_cast<uint8_t>(with);
+    to->bulge_q6 = static_cast<uint8_t>(bulge_q10 >> 4);
+    to->swell_q8 =
+        static_cast<uint8_t>(min(left_q10 / max(length, 1) >> 2, 255));
+  }
+
+  // The memory of the candidates, all unused; null if there is too little.
+  BodyContact* clean() const noexcept {
+    if (contacts.size - count < kContactsOfPair) {
+      return nullptr;
+    }
+    for (size_t i = 0; i < kContactsOfPair; ++i) {
+      contacts[count + i].soft_q10 = -1;
+    }
+    return &contacts[count];
+  }
+
+  // Turns the candidates into contacts. (x_between, y_between): from the
+  // second's centre to the first's. [px, Q8]
   void emit(size_t first,
             size_t second,
-            const Touches& touches,
             int32_t x_between,
             int32_t y_between) noexcept {
-    for (size_t i = 0; i < kContactsOfPair && count < contacts.size; ++i) {
-      if (!touches.is_own(i)) {
+    const BodyContact* kept = &contacts[count];
+    int32_t ids[kContactsOfPair];
+    for (size_t i = 0; i < kContactsOfPair; ++i) {
+      ids[i] = kept[i].soft_q10;
+      bool is_own = ids[i] >= 0;
+      for (size_t k = 0; k < i; ++k) {
+        is_own = is_own && ids[k] != ids[i];
+      }
+      if (!is_own) {
         continue;
       }
-      const Touch& touch = touches[i];
+      const int32_t distance_q10 = kept[i].gap_q10;
+      const int32_t x = kept[i].first_normal;
+      const int32_t y = kept[i].first_tangent;
+      int32_t nx = kept[i].nx;
+      int32_t ny = kept[i].ny;
       BodyContact& contact = contacts[count++];
       contact.first = static_cast<uint8_t>(first);
       contact.second = static_cast<uint8_t>(second);
-      contact.gap_q10 = overlap_q10 - touch.distance_q10;
-      contact.soft_q10 = clamp(touch.distance_q10, 0, overlap_q10);
-      int32_t nx = touch.nx;
-      int32_t ny = touch.ny;
+      contact.gap_q10 = overlap_q10 - distance_q10;
+      contact.soft_q10 = clamp(distance_q10, 0, overlap_q10);
       auto length = static_cast<int32_t>(length_of(nx, ny));
       if (length < (1 << 13) / 8) {
         // No gradient: use the line between the centres.
@@ -229,11 +297,9 @@ struct Finder {
       contact.ny = length == 0 ? -kOneQ14 : ny * kOneQ14 / length;
       // The arm of a force along n is r_y n_x - r_x n_y: turns are
       // counter-clockwise, y is down.
-      const auto arm = [](int32_t x, int32_t y, int32_t n_x, int32_t n_y) {
-        return scaled(int64_t{y} * n_x - int64_t{x} * n_y, 14);
+      const auto arm = [](int32_t r_x, int32_t r_y, int32_t n_x, int32_t n_y) {
+        return scaled(int64_t{r_y} * n_x - int64_t{r_x} * n_y, 14);
       };
-      const int32_t x = touch.x;
-      const int32_t y = touch.y;
       contact.first_normal = arm(x, y, contact.nx, contact.ny);
       contact.first_tangent = arm(x, y, -contact.ny, contact.nx);
       contact.second_normal =
@@ -243,7 +309,7 @@ struct Finder {
     }
   }
 
-  // A frame of its own, as that of walls: both hold touches.
+  // A frame of its own, as that of walls.
   // Broad phase: the greater of |dx| and |dy| is a lower bound of the distance
   // between the centres.
   __attribute__((noinline)) void find_pair(size_t first,
@@ -260,29 +326,32 @@ struct Finder {
     const int32_t apart_q10 =
         (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
     overlap_q10 = min(overlap_of(a), overlap_of(b));
-    if (apart_q10 >= 4 << 10) {
+    if (apart_q10 >= kNearQ10) {
       note_pair(a, b, -apart_q10);
       return;
     }
-    Touches touches;
-    const Look points_of_a = {a, b, x_between, y_between, true, touch_q10()};
-    const Look points_of_b = {b, a, x_between, y_between, false, touch_q10()};
-    int32_t most = points_of_a.find(-kFarQ10, touches);
-    if (most > -(4 << 10)) {
-      most = points_of_b.find(most, touches);
+    BodyContact* kept = clean();
+    Sums of_a = {-kFarQ10};
+    Look{a, b, x_between, y_between, true, touch_q10(), kept}.find(of_a);
+    Sums of_b = {of_a.most};
+    if (of_a.most > -kNearQ10) {
+      Look{b, a, x_between, y_between, false, touch_q10(), kept}.find(of_b);
     }
-    if (touches[0].id < 0) {
-      note_pair(a, b, most);
+    if (of_b.most > -kNearQ10 && rules.overlap.raw > 0) {
+      // The common area is between the sums of both; each loses half of it.
+      const int64_t sum = int64_t{of_a.lost_q6} * a.shape->spacing_q5() +
+                          int64_t{of_b.lost_q6} * b.shape->spacing_q5();
+      const int32_t lost_q10 = clamp_i64(sum >> 3, 0, (1 << 21) - 1);
+      squash(a, second, lost_q10, of_a);
+      squash(b, first, lost_q10, of_b);
+    }
+    if (kept == nullptr || kept->soft_q10 < 0) {
+      note_pair(a, b, of_b.most);  // no contacts to rely on
       return;
     }
-    squeeze(a, most);
-    squeeze(b, most);
     wake(a, b);
     wake(b, a);
-    if (contacts.size - count < kContactsOfPair) {
-      note_pair(a, b, most);  // contacts may be missing: do not rely on them
-    }
-    emit(first, second, touches, x_between, y_between);
+    emit(first, second, x_between, y_between);
   }
 
   // Walls: left, top, right, bottom.
@@ -299,38 +368,42 @@ struct Finder {
         (((is_across ? body.x.raw : body.y.raw) >> 6) - bounds[wall] * 1024);
     const int32_t nearest = centre + (body.shape->radius() << 10);
     overlap_q10 = overlap_of(body);
-    if (nearest <= -(4 << 10)) {
+    if (nearest <= -kNearQ10) {
       note(body, nearest, 256);
       return;
     }
     const Turn turn = turn_of(body.angle());
-    Touches touches;
-    int32_t most = -kFarQ10;
+    BodyContact* kept = clean();
+    Sums sums = {-kFarQ10};
     int32_t id = 0;
     for (const BodyPoint& point : body.shape->points()) {
       ++id;
-      const int32_t off =
-          (is_across ? turned_x(turn, point.x_q5, point.y_q5)
-                     : turned_y(turn, point.x_q5, point.y_q5)) >>
-          11;
-      const int32_t distance = centre + sign * off * 4;
-      most = max(most, distance);
-      if (distance <= touch_q10()) {
+      const int32_t x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
+      const int32_t y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
+      const int32_t distance = centre + sign * (is_across ? x : y) * 4;
+      sums.add(distance, static_cast<size_t>(id) <= body.shape->corner_count(),
+               body.shape->grid().scale_log2());
+      if (distance <= touch_q10() || kept == nullptr) {
         continue;
       }
-      Touch touch;
-      touch.id = id;
-      touch.distance_q10 = distance;
-      touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
-      touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
-      touch.nx = is_across ? -sign * (1 << 13) : 0;
-      touch.ny = is_across ? 0 : -sign * (1 << 13);
-      touch.along = is_across ? touch.y : touch.x;
-      touches.add(touch, true);
+      const Touch touch = {id,
+                           distance,
+                           x,
+                           y,
+                           is_across ? -sign * (1 << 13) : 0,
+                           is_across ? 0 : -sign * (1 << 13),
+                           is_across ? y : x};
+      add_touch(kept, touch, true);
     }
-    note(body, most, 256);
-    squeeze(body, most);
-    emit(index, BodyContact::kWall, touches, 0, 0);
+    note(body, sums.most, 256);
+    if (sums.lost_q6 > 0 && rules.overlap.raw > 0) {
+      const int64_t lost = int64_t{sums.lost_q6} * body.shape->spacing_q5();
+      squash(body, BodyTouch::kWalls + static_cast<size_t>(wall),
+             clamp_i64(lost >> 1, 0, (1 << 21) - 1), sums);
+    }
+    if (kept != nullptr) {
+      emit(index, BodyContact::kWall, 0, 0);
+    }
   }
 };
 
@@ -358,9 +431,11 @@ size_t find_contacts(Span<Body> bodies,
   Finder finder = {bodies, contacts, rules, still_q16, 0, 0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
-    // Pairs of sleepers are not examined: keep their squeeze.
-    body.squeeze = body.is_asleep() ? body.squeeze : Q6_10();
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
+  }
+  // Pairs of sleepers are not examined: they keep their touches.
+  for (size_t i = 0; i < bodies.size; ++i) {
+    finder.forget(i);
   }
   for (size_t i = 0; i < bodies.size; ++i) {
     if (bodies[i].shape == nullptr) {

@@ -10,9 +10,7 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr size_t kMostNeighbours = 6;
-constexpr int32_t kRingQ10 = 6 << 10;  // around an overlap [px]
-constexpr int32_t kBulgeQ10 = kRingQ10 / 4;
+constexpr int32_t kMostSwellQ10 = 1 << 10;
 
 // The centre of a pixel in a body's grid, from the centre of the first sample.
 // [px, Q16]
@@ -28,7 +26,7 @@ struct View {
   // A step to the right is (cosine, sine), a step down (-sine, cosine).
   int16_t cosine_q14;
   int16_t sine_q14;
-  int16_t squeeze_q10;
+  int16_t bulge_q10;  // of the body drawn: beside this neighbour
 
   // The distance of a pixel; outside of the grid an upper bound. [px, Q10] As
   // probe(), without slopes, which takes a tenth off a frame.
@@ -55,14 +53,6 @@ struct View {
     const int32_t sum = above + ((below - above) * y_part >> 8) + 128;
     return sum * (1 << scale) >> 3;
   }
-  // The width of the bulge around an overlap: the range of the grid. [px, Q10]
-  int32_t ring_q10() const noexcept {
-    return min(4032 << shape->grid().scale_log2(), kRingQ10);
-  }
-  // The greatest bulge, small enough that rings do not meet.
-  int32_t bulge_q10() const noexcept {
-    return min(squeeze_q10, ring_q10() >> 2);
-  }
 };
 
 // (x, y): the upper left corner of the box, in px on the screen.
@@ -83,18 +73,6 @@ __attribute__((noinline)) void look_at(const Body& body,
                   scaled(dx * turn.cosine - dy * turn.sine, 14);
   view.origin.y = shape.centre_y().raw - half +
                   scaled(dy * turn.cosine + dx * turn.sine, 14);
-  view.squeeze_q10 =
-      static_cast<int16_t>(min(max(body.squeeze.raw, -kBulgeQ10), kBulgeQ10));
-}
-
-// A hill of height 1 over 0 to `ring`, flat at both ends. [Q10 -> Q10]
-int32_t hill(int32_t distance_q10, int32_t ring_q10) noexcept {
-  if (distance_q10 <= 0 || distance_q10 >= ring_q10) {
-    return 0;
-  }
-  const int32_t part = distance_q10 * 1024 / ring_q10;
-  const int32_t slope = part * (1024 - part) >> 8;  // up to 1024
-  return slope * slope >> 10;
 }
 
 bool have_common(const Rect& a, const Rect& b) noexcept {
@@ -102,86 +80,89 @@ bool have_common(const Rect& a, const Rect& b) noexcept {
 }
 
 struct BodyPainter {
-  View own;
-  View others[kMostNeighbours];
+  View own;  // bulge_q10: all around
+  View others[Body::kMostTouches];
   size_t count;
+  uint8_t wall_bulges_q6[4];  // left, top, right, bottom
   Rect walls;
   const Filter& filter;
 
-  // The distance from the nearest wall. [px, Q10]
-  int32_t from_wall(int32_t x, int32_t y) const noexcept {
-    return min(min(x - walls.x0, walls.x1 - 1 - x),
-               min(y - walls.y0, walls.y1 - 1 - y)) *
-               1024 +
-           512;
+  int32_t scale() const noexcept { return own.shape->grid().scale_log2(); }
+  // The bulge at a distance from a wall. [px -> px, Q10]
+  int32_t at_wall(int32_t wall, int32_t px) const noexcept {
+    const int32_t bulge_q10 = wall_bulges_q6[wall] * 16;
+    return bulge_q10 == 0
+               ? 0
+               : bulge_share(-px * 1024 - 512, scale()) * bulge_q10 >> 10;
   }
-  // The distance of a pixel from the lines that cut the body. [px, Q10]
-  // (column, line) is in the box. Neighbour i does not matter to the left of
-  // next[i]: a step of one pixel changes a distance by at most 1 px.
+  // An upper bound of bulges in a row, where `around` is known.
+  int32_t most_bulge(int32_t around) const noexcept {
+    int32_t sum = around + max(wall_bulges_q6[0], wall_bulges_q6[2]) * 16;
+    for (size_t i = 0; i < count; ++i) {
+      sum += others[i].bulge_q10;
+    }
+    return min(sum, own.bulge_q10 + most_bulge_q10(scale()));
+  }
+
+  // The distance of a pixel from the lines that cut the body; adds to `bulge`.
+  // [px, Q10] (column, line) is in the box. Neighbour i does not matter to the
+  // left of next[i]: a step of one pixel changes a distance by at most 1 px.
   int32_t cut_of(int32_t distance,
                  int32_t column,
                  int32_t line,
-                 int32_t (&next)[kMostNeighbours],
+                 int32_t (&next)[Body::kMostTouches],
                  int32_t& bulge) const noexcept {
     int32_t cut = INT32_MAX;
     for (size_t i = 0; i < count; ++i) {
       const View& other = others[i];
-      const int32_t ring = other.ring_q10();
-      int32_t depth = -ring;
-      if (column >= next[i]) {
-        depth = other.distance(column, line);
-        const int32_t far = -depth - ring;
-        next[i] = far < 0 ? column : column + 1 + (far >> 10);
-        const int32_t most = min(own.bulge_q10(), other.bulge_q10());
-        bulge = max(bulge, hill(-depth, ring) * most >> 10);
+      if (column < next[i]) {
+        continue;
       }
+      const int32_t other_scale = other.shape->grid().scale_log2();
+      const int32_t depth = other.distance(column, line);
+      const int32_t far = -depth - (4096 << other_scale);
+      if (far >= 0) {
+        next[i] = column + 1 + (far >> 10);
+        continue;
+      }
+      bulge += bulge_share(depth, other_scale) * other.bulge_q10 >> 10;
       // The pixel belongs to the body in which it is deeper.
-      cut = min(cut, (distance - max(depth, -ring)) >> 1);
+      cut = min(cut, (distance - depth) >> 1);
     }
     return cut;
-  }
-
-  // Not inline, to keep frames small.
-  // Adds a body whose box overlaps that of the body drawn.
-  __attribute__((noinline)) void add_neighbour(const Body& body,
-                                               const Rect& whole,
-                                               const Rect& box) noexcept {
-    if (have_common(whole, box_of(body))) {
-      look_at(body, box.x0, box.y0, others[count++]);
-    }
   }
 
   __attribute__((noinline)) void draw_row(const Rect& box,
                                           int32_t y,
                                           const Sink& sink) const noexcept {
     const int32_t line = y - box.y0;
-    const int32_t width = box.x1 - box.x0;
+    const int32_t end = min(box.x1, sink.window.x1) - box.x0;
+    const int32_t around =
+        own.bulge_q10 + at_wall(1, y - walls.y0) + at_wall(3, walls.y1 - 1 - y);
+    const int32_t limit = most_bulge(around);
     // Distances without coverage, even with a bulge, and with full coverage.
-    const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
+    const int32_t blank = min(filter.outside_q10, 0) - limit - 64;
     const int32_t full = max(filter.inside_q10, 0) + 64;
-    int32_t next[kMostNeighbours] = {};
+    int32_t next[Body::kMostTouches] = {};
     PixelRun run(sink, y);
-    for (int32_t column = 0; column < width;) {
+    for (int32_t column = max(sink.window.x0 - box.x0, 0); column < end;) {
       const int32_t distance = own.distance(column, line);
       if (distance < blank) {
         column += 1 + ((blank - distance) >> 10);
         continue;
       }
       const int32_t x = box.x0 + column;
-      const int32_t wall = from_wall(x, y);
-      int32_t bulge = hill(wall, own.ring_q10()) * own.bulge_q10() >> 10;
-      const int32_t cut =
-          min(wall, cut_of(distance, column, line, next, bulge));
+      int32_t bulge =
+          around + at_wall(0, x - walls.x0) + at_wall(2, walls.x1 - 1 - x);
+      const int32_t cut = cut_of(distance, column, line, next, bulge);
       // A step of one pixel lessens the depth by at most 1 px.
       const int32_t deep = min(distance, cut) - full;
       if (deep > 0) {
-        const int32_t end = min(column + 1 + (deep >> 10), width);
-        run.fill(x, box.x0 + end);
-        column = end;
+        const int32_t last = min(column + 1 + (deep >> 10), end);
+        run.fill(x, box.x0 + last);
+        column = last;
       } else {
-        if (x >= sink.window.x0 && x < sink.window.x1) {
-          run.add(x, filter.coverage(min(distance + bulge, cut)));
-        }
+        run.add(x, filter.coverage(min(distance + min(bulge, limit), cut)));
         ++column;
       }
     }
@@ -206,13 +187,20 @@ void draw_body(Span<const Body> bodies,
   if (is_empty(box) || !have_common(box, sink.window)) {
     return;
   }
-  BodyPainter painter = {{}, {}, 0, walls, filter};
+  BodyPainter painter = {{}, {}, 0, {}, walls, filter};
   look_at(body, box.x0, box.y0, painter.own);
-  const size_t most = rules.overlap.raw > 0 ? kMostNeighbours : 0;
-  for (size_t i = 0; i < bodies.size && painter.count < most; ++i) {
-    const Body& other = bodies[i];
-    if (i != index && other.shape != nullptr) {
-      painter.add_neighbour(other, whole, box);
+  painter.own.bulge_q10 = 0;
+  for (const BodyTouch& touch : body.touches) {
+    painter.own.bulge_q10 = static_cast<int16_t>(
+        min(painter.own.bulge_q10 + touch.swell_q8 * 4, kMostSwellQ10));
+    if (touch.with < bodies.size && touch.with != index &&
+        bodies[touch.with].shape != nullptr) {
+      View& other = painter.others[painter.count++];
+      look_at(bodies[touch.with], box.x0, box.y0, other);
+      other.bulge_q10 = static_cast<int16_t>(touch.bulge_q6 * 16);
+    } else if (touch.with >= BodyTouch::kWalls &&
+               touch.with < BodyTouch::kWalls + 4) {
+      painter.wall_bulges_q6[touch.with - BodyTouch::kWalls] = touch.bulge_q6;
     }
   }
   const int32_t first = max(box.y0, sink.window.y0);

@@ -56,8 +56,12 @@ void BodyShape::measure() noexcept {
   const int32_t right = grid_.width() - 1;
   const int32_t bottom = grid_.height() - 1;
   int32_t most = DistanceGrid::kOutside;
+  int32_t near = 0;  // samples in a band of two sides around the edge
   for (int32_t y = 0; y <= bottom; ++y) {
     most = max(most, max(grid_.at(0, y), grid_.at(right, y)));
+    for (int32_t x = 0; x <= right; ++x) {
+      near += grid_.at(x, y) >= -32 && grid_.at(x, y) < 32 ? 1 : 0;
+    }
   }
   for (int32_t x = 0; x <= right; ++x) {
     most = max(most, max(grid_.at(x, 0), grid_.at(x, bottom)));
@@ -66,6 +70,7 @@ void BodyShape::measure() noexcept {
   const int32_t unit = 32 << grid_.scale_log2();
   margin_q10_ = max(-most - 1, 0) * unit;
   depth_q10_ = grid_.depth() * unit;
+  spacing_q5_ = near << (4 + grid_.scale_log2());  // if there is one point
 }
 
 // Finds the edge from the middle of four samples.
@@ -110,8 +115,7 @@ bool BodyShape::find_edge_point(int32_t column,
 
 // Points at least this far apart. Returns one more than `room` holds if they do
 // not fit.
-size_t BodyShape::spread(int32_t spacing_q5,
-                         Span<BodyPoint> room) const noexcept {
+size_t BodyShape::spread(int32_t spacing_q5, Span<BodyPoint> room) noexcept {
   size_t count = 0;
   for (int32_t pass = 0; pass < 2; ++pass) {
     // Closer at corners, so that a point is on the tip.
@@ -140,6 +144,7 @@ size_t BodyShape::spread(int32_t spacing_q5,
         room[count++] = point;
       }
     }
+    corner_count_ = pass == 0 ? count : corner_count_;
   }
   return count;
 }
@@ -170,6 +175,8 @@ Status BodyShape::make(const DistanceGrid& grid,
     return Status::bad_argument;
   }
   made.points_ = {room.data, count};
+  const auto halves = static_cast<int32_t>(2 * count - made.corner_count_);
+  made.spacing_q5_ = max(1, 2 * made.spacing_q5_ / halves);
   for (const BodyPoint& point : made.points_) {
     const auto length = static_cast<int32_t>(length_of(point.x_q5, point.y_q5));
     made.radius_ = max(made.radius_, (length >> 5) + 1);

@@ -9,6 +9,7 @@
 // passes through another, at any speed.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
@@ -23,6 +24,17 @@ namespace kinetic {
 /// The speed limit of all points of a body. [px a step]
 inline constexpr int32_t kMostBodySpeed = 16;
 
+/// What a soft body has lost to a neighbour or a wall, and where it goes: a
+/// bulge beside the contact, and what the bulge cannot hold all around.
+struct BodyTouch {
+  uint8_t with = kNothing;  // the index of a body, or kWalls + the wall
+  uint8_t bulge_q6 = 0;     // at the contact [px]
+  uint8_t swell_q8 = 0;     // all around [px]
+
+  static constexpr uint8_t kWalls = 64;  // left, top, right, bottom
+  static constexpr uint8_t kNothing = 255;
+};
+
 /// A shape that moves. All values are safe: step() clamps them. Positions are
 /// in px on the screen, y down, within +-8191.
 struct Body {
@@ -35,8 +47,9 @@ struct Body {
   int32_t spin_q20 = 0;     // [radians a step], counter-clockwise
   bool is_fixed = false;    // nothing moves it, as a wall
   uint8_t still_steps = 0;  // kStepsToSleep: asleep until hit
-  /// The deepest overlap with another body or a wall at the last step. [px]
-  Q6_10 squeeze;
+  /// Bodies and walls nearby at the last step, which draw_body() needs.
+  static constexpr size_t kMostTouches = 6;
+  BodyTouch touches[kMostTouches];
   // Written by step() only: how far the body may go at once [px], the greatest
   // speed of its points [px a step], and its speeds before the solver ran.
   int32_t clear_q10 = 0;
@@ -104,8 +117,9 @@ inline constexpr size_t kContactsOfPair = 4;
 /// Only the first kMostBodies bodies are simulated.
 inline constexpr size_t kMostBodies = 64;
 
-/// Moves bodies by one step. Contacts that do not fit `contacts` are ignored; a
-/// heap of n letters has at most 3 n touching pairs.
+/// Moves bodies by one step. Pairs for which `contacts` has not kContactsOfPair
+/// free entries are ignored; a heap of n letters has at most 3 n touching
+/// pairs.
 void step(Span<Body> bodies,
           const BodyRules& rules,
           Span<BodyContact> contacts) noexcept;

@@ -25,6 +25,27 @@ inline constexpr int32_t kSkinQ10 = 160;
 /// Farther than any body moves in a piece of a step. [px, Q10]
 inline constexpr int32_t kFarQ10 = 64 << 10;
 
+/// The rings around contacts in which bodies bulge are as wide as the range of
+/// a grid. The share of a bulge at a distance inside of the other body: 1 where
+/// the two meet, 0 at the outer end, and flat at both. [Q10]
+inline int32_t bulge_share(int32_t distance_q10, int32_t scale_log2) noexcept {
+  const int32_t out = -distance_q10 >> (2 + scale_log2);
+  if (out <= 0) {
+    return 1024;
+  }
+  if (out >= 1024) {
+    return 0;
+  }
+  const int32_t in = 1024 - out;
+  return (in * in >> 10) * (1024 + 2 * out) >> 10;
+}
+
+/// The greatest bulge: at a third of the ring its slope is below 1/2, so that
+/// no piece comes off. [px, Q10]
+inline int32_t most_bulge_q10(int32_t scale_log2) noexcept {
+  return 1360 << (scale_log2 < 1 ? 0 : 1);
+}
+
 /// Shifts a product right and rounds to nearest; the result fits 32 bits.
 inline int32_t scaled(int64_t value, uint32_t shift) noexcept {
   return static_cast<int32_t>((value + (int64_t{1} << (shift - 1))) >> shift);
@@ -48,7 +69,7 @@ int32_t speed_of(const Body& body) noexcept;
 int32_t speed_between(const Body& a, const Body& b) noexcept;
 
 /// Finds contacts, wakes sleepers that are hit, and returns the number of
-/// contacts. Sets squeeze, most_speed_q16 and clear_q10 of each body; clear_q10
+/// contacts. Sets touches, most_speed_q16 and clear_q10 of each body; clear_q10
 /// is the distance to the nearest wall and the nearest body that it does not
 /// touch. Sets the members of contacts but those that the solver sets.
 size_t find_contacts(Span<Body> bodies,

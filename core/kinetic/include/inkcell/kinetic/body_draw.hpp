@@ -12,11 +12,12 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Draws body `index`. With an overlap in `rules` bodies deform each other
-/// (Cani 1998; the paper, figure 13): a pixel in two bodies belongs to the one
-/// in which it is deeper, so both end at a common line. Around the overlap they
-/// bulge by up to 2 px, depending on their squeeze. Bodies are clipped to the
-/// walls. At most 6 neighbours are considered.
+/// Draws body `index`. Soft bodies deform each other (Cani 1998; the paper,
+/// figure 13): a pixel in two bodies belongs to the one in which it is deeper,
+/// so both end at a common line. Beside it they bulge, so that their areas stay
+/// the same: up to 1.3 px, and 2.6 px if a sample is 2 px wide or more; the
+/// ring of the bulge is 4 samples wide. Bodies are clipped to the walls.
+/// Neighbours are those in Body::touches, which step() writes.
 ///
 /// Cost: about 70 instructions for each pixel near the edge, and as many for
 /// each neighbour; runs inside cost little. The picture does not depend on the

@@ -55,6 +55,10 @@ class BodyShape {
   int32_t radius() const noexcept { return radius_; }
   /// The greatest distance inside the shape. [px, Q10]
   int32_t depth_q10() const noexcept { return depth_q10_; }
+  /// The length of edge that a point stands for, half of it at corners, whose
+  /// points are the first. [px, Q5]
+  int32_t spacing_q5() const noexcept { return spacing_q5_; }
+  size_t corner_count() const noexcept { return corner_count_; }
   /// A lower bound of the distance from the grid's border to the shape. Added
   /// to distances outside of the grid. [px, Q10]
   int32_t margin_q10() const noexcept { return margin_q10_; }
@@ -62,7 +66,7 @@ class BodyShape {
  private:
   bool weigh() noexcept;
   void measure() noexcept;
-  size_t spread(int32_t spacing_q5, Span<BodyPoint> room) const noexcept;
+  size_t spread(int32_t spacing_q5, Span<BodyPoint> room) noexcept;
   bool find_edge_point(int32_t column,
                        int32_t row,
                        BodyPoint& out,
@@ -77,6 +81,8 @@ class BodyShape {
   int32_t radius_ = 0;
   int32_t depth_q10_ = 0;
   int32_t margin_q10_ = 0;
+  int32_t spacing_q5_ = 0;
+  size_t corner_count_ = 0;
 };
 
 }  // namespace kinetic
