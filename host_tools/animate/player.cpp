@@ -67,26 +67,36 @@ struct DrawnBody {
   }
 };
 
+// The deepest overlap of two bodies: as drawn, or else beyond what rules allow.
 // Where two edges overlap by d, the middle is d / 2 inside of both.
 double penetration_of(Span<const kinetic::Body> bodies,
-                      const kinetic::BodyRules& rules) {
+                      const kinetic::BodyRules& rules,
+                      bool is_drawn) {
   std::vector<DrawnBody> drawn;
   for (size_t i = 0; i < bodies.size; ++i) {
     drawn.emplace_back(bodies, i, rules, kinetic::kFilterDistance);
   }
-  int most = 128;
+  double most = 0;
   for (size_t i = 0; i < drawn.size(); ++i) {
     for (size_t k = 0; k < i; ++k) {
       const Rect box = intersect(drawn[i].box, drawn[k].box);
+      int deepest = 128;
       for (int y = box.y0; y < box.y1; ++y) {
         for (int x = box.x0; x < box.x1; ++x) {
-          most = std::max<int>(
-              most, std::min(*drawn[i].at(x, y), *drawn[k].at(x, y)));
+          deepest = std::max<int>(
+              deepest, std::min(*drawn[i].at(x, y), *drawn[k].at(x, y)));
         }
+      }
+      if (deepest > 128) {
+        const int32_t allowed = std::min({int32_t{rules.overlap.raw},
+                                          bodies[i].shape->depth_q10() / 3,
+                                          bodies[k].shape->depth_q10() / 3});
+        most = std::max(most, 2 * (deepest - 128) / 32.0 -
+                                  (is_drawn ? 0 : allowed / 1024.0));
       }
     }
   }
-  return 2 * (most - 128) / 32.0;
+  return most;
 }
 
 double ink_of(Span<const kinetic::Body> bodies,
@@ -109,9 +119,8 @@ BodyFigures figures_of(Span<const kinetic::Body> bodies,
   kinetic::BodyRules open = rules;
   open.walls = {-8191, -8191, 8191, 8191};
   BodyFigures figures;
-  figures.drawn = penetration_of(bodies, rules);
-  figures.rigid = std::max(
-      0.0, penetration_of(undeformed, rules) - rules.overlap.raw / 1024.0);
+  figures.drawn = penetration_of(bodies, rules, true);
+  figures.rigid = penetration_of(undeformed, rules, false);
   double ink = 0;
   double whole = 0;
   int off_floor = 0;

@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
-    "94a5c556006b2e9c3c5fc09d3c29a750273cdfdc933d254d302dfdb0730bc139";
+    "feea924609337bee498c564878095150e7659b406a06741b8e87cb01dd8c2414";
 inline constexpr const char* kFigure14Hash =
     "cb01c7bb6a3bb027327da523be52549b620c15d386f259385b149f5a04cdff9b";
 inline constexpr const char* kFigure15Hash =

@@ -122,11 +122,11 @@ BodyRules BodyScene::rules() const noexcept {
   const int32_t floor = phase >= kOpens ? 3 * height_ : height_;
   rules.walls = {0, -height_, width_, floor};
   rules.gravity.raw = 16000 * height_ / 240;
-  rules.bounce_q8 = 90;
-  rules.friction_q8 = 60;
+  rules.bounce_q8 = 60;
+  rules.friction_q8 = 240;
   rules.overlap.raw = static_cast<int16_t>(3072 * height_ / 240);
-  rules.stiffness_q16 = 12000;
-  rules.damping_q16 = 7000;
+  rules.stiffness_q16 = 16000;
+  rules.damping_q16 = 16000;
   rules.pieces = 4;
   return rules;
 }
@@ -137,14 +137,15 @@ void BodyScene::let_fall(int32_t index) noexcept {
   Body& body = bodies_[index];
   body = Body();
   body.shape = &shapes_[shape_of_[index]];
-  // Over the middle half, far from the letter before.
-  const auto along = static_cast<int32_t>(random & 511) + 512 * (index % 2);
-  body.x = Q16_16::from_int(width_ / 4 + width_ * along / 2048);
+  // Over the middle, beside the letter before.
+  const auto along = static_cast<int32_t>(random & 127) + 256;  // [em / 1024]
+  body.x = Q16_16::from_int(width_ / 2 + (index % 2 == 0 ? -along : along) *
+                                             size_for(height_) / 1024);
   // The first one is seen at once.
   body.y = Q16_16::from_int(index == 0 ? 0 : -body.shape->radius());
+  body.y_speed.raw = (3 << 16) * height_ / 240;  // clear of the next one
   body.turn_q32 = random << 7;
   body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 1024;
-  body.x_speed.raw = (512 - along) * 60 * width_ / 320;
 }
 
 void BodyScene::step() noexcept {
@@ -168,6 +169,7 @@ void BodyScene::step() noexcept {
     if (phase == kKicks) {
       const uint32_t random = hash(3, static_cast<uint32_t>(i));
       const auto more = static_cast<int32_t>(random & 1023);
+      body.x_speed.raw = (Q16_16::from_int(width_ / 2).raw - body.x.raw) / 50;
       body.y_speed.raw = -(5 << 16) * height_ / 240 - more * 128;
       body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 2048;
     }

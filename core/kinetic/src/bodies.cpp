@@ -147,17 +147,32 @@ struct Solver {
         closing > bounces ? closing * clamp(rules.bounce_q8, 0, 256) / 256 : 0;
   }
 
+  // The impulse along the tangent that stops slipping, as far as one across can
+  // hold it.
+  int64_t rub(const BodyContact& contact,
+              int64_t rubbed,
+              int64_t pushed) const noexcept {
+    const int32_t slips =
+        speed_along(contact, -contact.ny, contact.nx, contact.first_tangent,
+                    contact.second_tangent);
+    const int64_t most = (pushed * rules.friction_q8) >> 8;
+    const int64_t wanted =
+        rubbed - (int64_t{slips} * contact.tangent_mass >> 8);
+    return wanted > most ? most : wanted < -most ? -most : wanted;
+  }
+
   // A damped spring at a soft contact. Four contacts share a mass.
-  void spring(const BodyContact& contact, int32_t part_q16) const noexcept {
+  void spring(const BodyContact& contact) const noexcept {
     if (contact.soft_q10 <= 0) {
       return;
     }
     const int32_t gain =
         scaled(int64_t{contact.soft_q10} * rules.stiffness_q16, 10) -
         scaled(int64_t{normal_speed(contact)} * rules.damping_q16, 16);
-    const int32_t part = scaled(int64_t{gain} * part_q16, 17);
-    if (part > 0) {
-      push_both(contact, int64_t{part} * contact.normal_mass >> 8, false);
+    if (gain > 0) {
+      const int64_t pushed = int64_t{gain} * contact.normal_mass >> 9;
+      push_both(contact, pushed, false);
+      push_both(contact, rub(contact, 0, pushed), true);
     }
   }
 
@@ -171,23 +186,19 @@ struct Solver {
     const int64_t kept = pushed > 0 ? pushed : 0;
     push_both(contact, kept - contact.pushed, false);
     contact.pushed = kept;
-    const int32_t slips =
-        speed_along(contact, -contact.ny, contact.nx, contact.first_tangent,
-                    contact.second_tangent);
-    const int64_t most = (kept * rules.friction_q8) >> 8;
-    const int64_t rubbed =
-        contact.rubbed - (int64_t{slips} * contact.tangent_mass >> 8);
-    const int64_t held = rubbed > most ? most : rubbed < -most ? -most : rubbed;
+    const int64_t held = rub(contact, contact.rubbed, kept);
     push_both(contact, held - contact.rubbed, true);
     contact.rubbed = held;
   }
 
-  // Moves rigid bodies that overlap apart, by half of the overlap.
+  // Moves rigid bodies that overlap apart, by half of the overlap; off a wall
+  // by all of it.
   void separate(const BodyContact& contact) const noexcept {
     if (contact.gap_q10 >= 0) {
       return;
     }
-    const int32_t step_q16 = min(-contact.gap_q10, 512) * 64 / 2;
+    const int32_t step_q16 = min(-contact.gap_q10, 512) *
+                             (contact.second == BodyContact::kWall ? 64 : 32);
     const int64_t pushed = int64_t{step_q16} * contact.normal_mass >> 8;
     const auto move = [&](Body& body, int64_t by) {
       const InverseMass inverse = inverse_of(body);
@@ -245,8 +256,9 @@ __attribute__((noinline)) void solve_all(const Solver& solver) noexcept {
   }
   const int64_t before = energy_of(solver.bodies).motion;
   for (int32_t round = 0; round < kRounds; ++round) {
-    for (BodyContact& contact : solver.contacts) {
-      solver.solve(contact);
+    // Walls are the last of each body: what they hold is held at the end.
+    for (size_t i = solver.contacts.size; i > 0; --i) {
+      solver.solve(solver.contacts[i - 1]);
     }
   }
   const Energy after = energy_of(solver.bodies);
@@ -316,7 +328,7 @@ void step(Span<Body> all,
   if (is_empty(rules.walls)) {
     return;
   }
-  const int32_t still_q16 = 3000 + 2 * abs(rules.gravity.raw);
+  const int32_t still_q16 = 8000 + 2 * abs(rules.gravity.raw);
   for (Body& body : bodies) {
     if (body.shape == nullptr) {
       continue;
@@ -336,12 +348,15 @@ void step(Span<Body> all,
     for (BodyContact& contact : solver.contacts) {
       solver.prepare(contact);
     }
+    // Springs first, so that hard contacts hold what they push.
+    for (size_t i = piece == 0 ? count : 0; i > 0; --i) {
+      solver.spring(room[i - 1]);
+    }
     solve_all(solver);
     const int32_t part_q16 = piece_of(solver, left_q16);
     left_q16 -= part_q16;
-    for (const BodyContact& contact : solver.contacts) {
-      solver.spring(contact, part_q16);
-      solver.separate(contact);
+    for (size_t i = count; i > 0; --i) {
+      solver.separate(room[i - 1]);
     }
     for (Body& body : bodies) {
       if (takes_part(body)) {

@@ -41,9 +41,18 @@ void keep(BodyContact& kept, const Touch& touch, bool is_better) noexcept {
 // Not inline, to keep the candidate out of its callers' frames.
 __attribute__((noinline)) void add_touch(BodyContact* kept,
                                          const Touch& touch,
+                                         int32_t hard_q10,
                                          bool faces) noexcept {
-  keep(kept[0], touch, touch.along < kept[0].second_normal);
-  keep(kept[1], touch, touch.along > kept[1].second_normal);
+  // Points that touch hard carry the body: the outermost of them are kept
+  // rather than those of a soft rim.
+  const bool is_hard = touch.distance_q10 > hard_q10;
+  const auto is_kept = [&](const BodyContact& other, int32_t along,
+                           int32_t other_along) {
+    const bool is_other_hard = other.gap_q10 > hard_q10;
+    return is_hard == is_other_hard ? along < other_along : is_hard;
+  };
+  keep(kept[0], touch, is_kept(kept[0], touch.along, kept[0].second_normal));
+  keep(kept[1], touch, is_kept(kept[1], -touch.along, -kept[1].second_normal));
   BodyContact& deep = kept[faces ? 2 : 3];
   keep(deep, touch, touch.distance_q10 > deep.gap_q10);
 }
@@ -88,7 +97,7 @@ struct Look {
   int32_t x_between;  // from the second's centre to the first's [px, Q8]
   int32_t y_between;
   bool is_first;      // `from` is the first body of the pair
-  int32_t touch_q10;  // distances above it touch [px]
+  int32_t hard_q10;   // distances above it touch hard [px]
   BodyContact* kept;  // the candidates; null: no memory
 
   __attribute__((noinline)) void add(int32_t id,
@@ -105,17 +114,16 @@ struct Look {
       touch.y -= y_between;
     }
     const Turn of_field = turn_of(into.angle());
-    const int32_t sign = is_first ? -1 : 1;
-    touch.nx =
-        sign * (turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
-    touch.ny =
-        sign * (turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
+    int32_t nx = turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14;
+    int32_t ny = turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14;
+    touch.nx = is_first ? -nx : nx;
+    touch.ny = is_first ? -ny : ny;
     touch.along =
         (touch.x >> 4) * (y_between >> 4) - (touch.y >> 4) * (x_between >> 4);
     const bool faces = (touch.nx >> 2) * (x_between >> 4) +
                            (touch.ny >> 2) * (y_between >> 4) >=
                        0;
-    add_touch(kept, touch, faces);
+    add_touch(kept, touch, hard_q10, faces);
   }
 
   // Keeps touches, and adds to `sums`.
@@ -159,7 +167,7 @@ struct Look {
       const GridPoint here =
           probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
       sums.add(here.distance_q10, is_corner, grid.scale_log2());
-      if (here.distance_q10 > touch_q10 && kept != nullptr) {
+      if (here.distance_q10 > min(hard_q10, 0) && kept != nullptr) {
         add(id, point, here);
       }
     }
@@ -175,10 +183,10 @@ struct Finder {
   int32_t overlap_q10;  // of the pair at hand
   size_t count;
 
-  // Distances above it touch. [px, Q10]
-  int32_t touch_q10() const noexcept { return min(overlap_q10 - kTouchQ10, 0); }
+  // Distances above it touch hard. [px, Q10]
+  int32_t hard_q10() const noexcept { return overlap_q10 - kTouchQ10; }
   int32_t overlap_of(const Body& body) const noexcept {
-    return min(rules.overlap.raw, body.shape->depth_q10() / 2) - kSkinQ10;
+    return min(rules.overlap.raw, body.shape->depth_q10() / 3) - kSkinQ10;
   }
   // Limits clear_q10 of a body to its share of a gap, at least of slide_q10().
   // The distance is above 0 where it overlaps.
@@ -332,10 +340,10 @@ struct Finder {
     }
     BodyContact* kept = clean();
     Sums of_a = {-kFarQ10};
-    Look{a, b, x_between, y_between, true, touch_q10(), kept}.find(of_a);
+    Look{a, b, x_between, y_between, true, hard_q10(), kept}.find(of_a);
     Sums of_b = {of_a.most};
     if (of_a.most > -kNearQ10) {
-      Look{b, a, x_between, y_between, false, touch_q10(), kept}.find(of_b);
+      Look{b, a, x_between, y_between, false, hard_q10(), kept}.find(of_b);
     }
     if (of_b.most > -kNearQ10 && rules.overlap.raw > 0) {
       // The common area is between the sums of both; each loses half of it.
@@ -383,7 +391,7 @@ struct Finder {
       const int32_t distance = centre + sign * (is_across ? x : y) * 4;
       sums.add(distance, static_cast<size_t>(id) <= body.shape->corner_count(),
                body.shape->grid().scale_log2());
-      if (distance <= touch_q10() || kept == nullptr) {
+      if (distance <= min(hard_q10(), 0) || kept == nullptr) {
         continue;
       }
       const Touch touch = {id,
@@ -393,7 +401,7 @@ struct Finder {
                            is_across ? -sign * (1 << 13) : 0,
                            is_across ? 0 : -sign * (1 << 13),
                            is_across ? y : x};
-      add_touch(kept, touch, true);
+      add_touch(kept, touch, hard_q10(), true);
     }
     note(body, sums.most, 256);
     if (sums.lost_q6 > 0 && rules.overlap.raw > 0) {

@@ -72,8 +72,8 @@ struct BodyRules {
   Q16_16 gravity;              // down [px a step, gained in a step]
   uint16_t bounce_q8 = 100;    // of the speed across a contact: 256 is elastic
   uint16_t friction_q8 = 100;  // of the force across a contact
-  /// Soft bodies: how far edges may overlap, 0 to 8 px and at most half of the
-  /// body's depth. A spring pushes overlapping bodies apart; beyond this
+  /// Soft bodies: how far edges may overlap, 0 to 8 px and at most a third of
+  /// the body's depth. A spring pushes overlapping bodies apart; beyond this
   /// overlap they are rigid.
   Q6_10 overlap;
   uint16_t stiffness_q16 = 1000;  // [px a step, gained in a step, a px]
