@@ -268,7 +268,7 @@ void write_stats(const Arguments& arguments,
     json["worst_rigid_penetration_px"] = all.rigid;
     json["ink_of_a_letter"] = {all.least_body_ink, all.greatest_body_ink};
     json["ink_of_a_frame"] = {all.least_ink, all.greatest_ink};
-    json["resting_off_floor"] = all.off_floor.value_or(0);
+    json["resting_off_floor"] = all.off_floor;
   }
   std::ofstream out(arguments.stats);
   out << json.dump(2) << '\n';

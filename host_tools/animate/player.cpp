@@ -123,7 +123,6 @@ BodyFigures figures_of(Span<const kinetic::Body> bodies,
   figures.rigid = penetration_of(undeformed, rules, false);
   double ink = 0;
   double whole = 0;
-  int off_floor = 0;
   for (size_t i = 0; i < bodies.size; ++i) {
     const double now = ink_of(bodies, i, rules);
     const double alone = ink_of(undeformed, i, open);
@@ -135,17 +134,14 @@ BodyFigures figures_of(Span<const kinetic::Body> bodies,
           std::max(figures.greatest_body_ink, now / alone);
     }
     const kinetic::Body& body = bodies[i];
-    bool is_low = body.shape == nullptr;
+    bool is_off = body.still_steps > 0;
     for (const kinetic::BodyTouch& touch : body.touches) {
-      is_low = is_low || touch.with == kinetic::BodyTouch::kWalls + 3;
+      is_off = is_off && touch.with != kinetic::BodyTouch::kWalls + 3;
     }
-    off_floor += is_low ? 0 : 1;
+    figures.off_floor += is_off ? 1 : 0;
   }
   if (whole > 0) {
     figures.least_ink = figures.greatest_ink = ink / whole;
-  }
-  if (kinetic::are_asleep(bodies)) {
-    figures.off_floor = off_floor;
   }
   return figures;
 }
@@ -246,7 +242,7 @@ void BodyFigures::add(const BodyFigures& frame) {
   greatest_body_ink = std::max(greatest_body_ink, frame.greatest_body_ink);
   least_ink = std::min(least_ink, frame.least_ink);
   greatest_ink = std::max(greatest_ink, frame.greatest_ink);
-  off_floor = frame.off_floor ? frame.off_floor : off_floor;
+  off_floor = frame.off_floor;
 }
 
 const std::vector<SceneKind>& scene_kinds() {

@@ -28,8 +28,8 @@ struct BodyFigures {
   double greatest_body_ink = 1;
   double least_ink = 1;
   double greatest_ink = 1;
-  // Bodies that lie on others, off the floor; none while one moves.
-  std::optional<int> off_floor;
+  // Bodies that rest, but not on the floor, in the last frame.
+  int off_floor = 0;
 
   /// Adds a later frame.
   void add(const BodyFigures& frame);

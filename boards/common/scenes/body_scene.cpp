@@ -127,7 +127,7 @@ BodyRules BodyScene::rules() const noexcept {
   rules.overlap.raw = static_cast<int16_t>(3072 * height_ / 240);
   rules.stiffness_q16 = 16000;
   rules.damping_q16 = 16000;
-  rules.pieces = 4;
+  rules.pieces = 3;
   return rules;
 }
 

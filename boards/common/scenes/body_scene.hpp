@@ -60,7 +60,7 @@ class BodyScene {
  private:
   // Margin of distances around a letter: the range of a grid.
   static constexpr int32_t kMarginSamples = 4;
-  static constexpr size_t kPoints = 72;
+  static constexpr size_t kPoints = 60;
   // Contacts: each letter touches two others, and walls.
   static constexpr size_t kContacts = kinetic::kContactsOfPair * 20;
 

@@ -30,20 +30,22 @@ InverseMass inverse_of(const Body& body) noexcept {
   if (!takes_part(body)) {
     return {0, 0};
   }
-  return {(1 << 30) / body.shape->area(),
-          static_cast<int32_t>(
-              (1u << 28) / static_cast<uint32_t>(body.shape->gyration_q8()))};
+  return {body.shape->per_area_q30(), body.shape->per_gyration_q20()};
+}
+
+void limit_speeds(Body& body) noexcept {
+  const int32_t most = kMostSpeedQ16 / 2;  // by turning
+  body.x_speed.raw = clamp(body.x_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
+  body.y_speed.raw = clamp(body.y_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
+  const int32_t spin =
+      body.shape == nullptr ? most << 4 : body.shape->per_radius_q23();
+  body.spin_q20 = clamp(body.spin_q20, -spin, spin);
 }
 
 void limit(Body& body) noexcept {
   body.x.raw = clamp(body.x.raw, -kMostPlaceQ16, kMostPlaceQ16);
   body.y.raw = clamp(body.y.raw, -kMostPlaceQ16, kMostPlaceQ16);
-  const int32_t most = kMostSpeedQ16 / 2;  // by turning
-  body.x_speed.raw = clamp(body.x_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
-  body.y_speed.raw = clamp(body.y_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
-  const int32_t radius = body.shape == nullptr ? 1 : body.shape->radius();
-  const int32_t spin = (most << 4) / max(radius, 1);
-  body.spin_q20 = clamp(body.spin_q20, -spin, spin);
+  limit_speeds(body);
 }
 
 // Applies an impulse along (nx, ny), with its arm. [px a step px^2]
@@ -64,7 +66,7 @@ void push(Body& body,
   body.spin_q20 += clamp_i64(
       ((int64_t{gain} * arm >> 4) * inverse.inertia + (1 << 19)) >> 20,
       -(1 << 28), 1 << 28);
-  limit(body);
+  limit_speeds(body);
 }
 
 // The effective mass at a contact. [px^2, Q8]
@@ -184,11 +186,15 @@ struct Solver {
     const int64_t wanted = contact.leaves_q16 - int64_t{normal_speed(contact)};
     const int64_t pushed = contact.pushed + (wanted * contact.normal_mass >> 8);
     const int64_t kept = pushed > 0 ? pushed : 0;
-    push_both(contact, kept - contact.pushed, false);
-    contact.pushed = kept;
+    if (kept != contact.pushed) {
+      push_both(contact, kept - contact.pushed, false);
+      contact.pushed = kept;
+    }
     const int64_t held = rub(contact, contact.rubbed, kept);
-    push_both(contact, held - contact.rubbed, true);
-    contact.rubbed = held;
+    if (held != contact.rubbed) {
+      push_both(contact, held - contact.rubbed, true);
+      contact.rubbed = held;
+    }
   }
 
   // Moves rigid bodies that overlap apart, by half of the overlap; off a wall

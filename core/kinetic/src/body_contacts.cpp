@@ -9,8 +9,11 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-// Bodies nearer than this are examined, and may meet by their bulges. [px, Q10]
-constexpr int32_t kNearQ10 = 4 << 10;
+// Bodies nearer than two samples are examined: they may meet by their bulges.
+// [px, Q10]
+int32_t near_q10(const Body& body) noexcept {
+  return 2048 << body.shape->grid().scale_log2();
+}
 
 // A candidate for a contact, from the first body's centre. [px, Q8] The normal
 // is not normalised yet. [Q13]
@@ -334,7 +337,8 @@ struct Finder {
     const int32_t apart_q10 =
         (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
     overlap_q10 = min(overlap_of(a), overlap_of(b));
-    if (apart_q10 >= kNearQ10) {
+    const int32_t near = max(near_q10(a), near_q10(b));
+    if (apart_q10 >= near) {
       note_pair(a, b, -apart_q10);
       return;
     }
@@ -342,10 +346,10 @@ struct Finder {
     Sums of_a = {-kFarQ10};
     Look{a, b, x_between, y_between, true, hard_q10(), kept}.find(of_a);
     Sums of_b = {of_a.most};
-    if (of_a.most > -kNearQ10) {
+    if (of_a.most > -near) {
       Look{b, a, x_between, y_between, false, hard_q10(), kept}.find(of_b);
     }
-    if (of_b.most > -kNearQ10 && rules.overlap.raw > 0) {
+    if (of_b.most > -near && rules.overlap.raw > 0) {
       // The common area is between the sums of both; each loses half of it.
       const int64_t sum = int64_t{of_a.lost_q6} * a.shape->spacing_q5() +
                           int64_t{of_b.lost_q6} * b.shape->spacing_q5();
@@ -376,7 +380,7 @@ struct Finder {
         (((is_across ? body.x.raw : body.y.raw) >> 6) - bounds[wall] * 1024);
     const int32_t nearest = centre + (body.shape->radius() << 10);
     overlap_q10 = overlap_of(body);
-    if (nearest <= -kNearQ10) {
+    if (nearest <= -near_q10(body)) {
       note(body, nearest, 256);
       return;
     }

@@ -181,6 +181,9 @@ Status BodyShape::make(const DistanceGrid& grid,
     const auto length = static_cast<int32_t>(length_of(point.x_q5, point.y_q5));
     made.radius_ = max(made.radius_, (length >> 5) + 1);
   }
+  made.per_area_q30_ = (1 << 30) / made.area_;
+  made.per_gyration_q20_ = (1 << 28) / made.gyration_q8_;
+  made.per_radius_q23_ = (1 << 23) / max(made.radius_, 1);
   *this = made;
   return Status::ok;
 }

@@ -53,6 +53,11 @@ class BodyShape {
   int32_t gyration_q8() const noexcept { return gyration_q8_; }
   /// The greatest distance of a point from the centre of mass. [px]
   int32_t radius() const noexcept { return radius_; }
+  /// 1 / area [Q30], 1 / gyration [Q20], 1 / radius [Q23]: dividing in each
+  /// push takes a third of a step.
+  int32_t per_area_q30() const noexcept { return per_area_q30_; }
+  int32_t per_gyration_q20() const noexcept { return per_gyration_q20_; }
+  int32_t per_radius_q23() const noexcept { return per_radius_q23_; }
   /// The greatest distance inside the shape. [px, Q10]
   int32_t depth_q10() const noexcept { return depth_q10_; }
   /// The length of edge that a point stands for, half of it at corners, whose
@@ -79,6 +84,9 @@ class BodyShape {
   int32_t area_ = 1;
   int32_t gyration_q8_ = 256;
   int32_t radius_ = 0;
+  int32_t per_area_q30_ = 1 << 30;
+  int32_t per_gyration_q20_ = 1 << 20;
+  int32_t per_radius_q23_ = 1 << 23;
   int32_t depth_q10_ = 0;
   int32_t margin_q10_ = 0;
   int32_t spacing_q5_ = 0;
