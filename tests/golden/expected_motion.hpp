@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
-    "feea924609337bee498c564878095150e7659b406a06741b8e87cb01dd8c2414";
+    "65f62ce67e125ac2f801eb92288a09328acbacb66a777a83dfebb18b7a827019";
 inline constexpr const char* kFigure14Hash =
     "cb01c7bb6a3bb027327da523be52549b620c15d386f259385b149f5a04cdff9b";
 inline constexpr const char* kFigure15Hash =

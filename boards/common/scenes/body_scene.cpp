@@ -148,6 +148,21 @@ void BodyScene::let_fall(int32_t index) noexcept {
   body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 1024;
 }
 
+// The floor throws all letters up and together, or it lets them fall.
+void BodyScene::wake(bool is_kick) noexcept {
+  for (int32_t i = 0; i < count_; ++i) {
+    Body& body = bodies_[i];
+    body.still_steps = 0;
+    if (is_kick) {
+      const uint32_t random = hash(3, static_cast<uint32_t>(i));
+      const auto more = static_cast<int32_t>(random & 1023);
+      body.x_speed.raw = (Q16_16::from_int(width_ / 2).raw - body.x.raw) / 50;
+      body.y_speed.raw = -(5 << 16) * height_ / 240 - more * 128;
+      body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 2048;
+    }
+  }
+}
+
 void BodyScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kLoopFrames;
@@ -161,18 +176,8 @@ void BodyScene::step() noexcept {
       phase / kFallEach < static_cast<uint32_t>(count_)) {
     let_fall(static_cast<int32_t>(phase / kFallEach));
   }
-  for (int32_t i = 0; i < count_; ++i) {
-    Body& body = bodies_[i];
-    if (phase == kKicks || phase == kOpens) {
-      body.still_steps = 0;
-    }
-    if (phase == kKicks) {
-      const uint32_t random = hash(3, static_cast<uint32_t>(i));
-      const auto more = static_cast<int32_t>(random & 1023);
-      body.x_speed.raw = (Q16_16::from_int(width_ / 2).raw - body.x.raw) / 50;
-      body.y_speed.raw = -(5 << 16) * height_ / 240 - more * 128;
-      body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 2048;
-    }
+  if (phase == kKicks || phase == kOpens) {
+    wake(phase == kKicks);
   }
   for (int32_t i = 0; i < kStepsPerFrame; ++i) {
     kinetic::step({bodies_, static_cast<size_t>(count_)}, rules(), contacts_);
@@ -180,7 +185,7 @@ void BodyScene::step() noexcept {
   // Removes bodies that have left the screen at the bottom.
   for (Body& body : bodies_) {
     if (box_of(body).y0 > height_) {
-      body = Body();
+      body.shape = nullptr;
     }
   }
 }

@@ -67,6 +67,7 @@ class BodyScene {
   Status add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept;
   void restart() noexcept;
   void let_fall(int32_t index) noexcept;
+  void wake(bool is_kick) noexcept;
   void step() noexcept;
   bool has_changed(int32_t index) const noexcept;
   Rect swept_box(int32_t index) const noexcept;

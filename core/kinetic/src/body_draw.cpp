@@ -27,6 +27,7 @@ struct View {
   int16_t cosine_q14;
   int16_t sine_q14;
   int16_t bulge_q10;  // of the body drawn: beside this neighbour
+  int16_t next;       // it does not matter to the left of this column
 
   // The distance of a pixel; outside of the grid an upper bound. [px, Q10] As
   // probe(), without slopes, which takes a tenth off a frame.
@@ -75,16 +76,13 @@ __attribute__((noinline)) void look_at(const Body& body,
                   scaled(dy * turn.cosine + dx * turn.sine, 14);
 }
 
-bool have_common(const Rect& a, const Rect& b) noexcept {
-  return !is_empty(intersect(a, b));
-}
-
 struct BodyPainter {
   View own;  // bulge_q10: all around
   View others[Body::kMostTouches];
   size_t count;
   uint8_t wall_bulges_q6[4];  // left, top, right, bottom
   Rect walls;
+  Rect box;
   const Filter& filter;
 
   int32_t scale() const noexcept { return own.shape->grid().scale_log2(); }
@@ -105,24 +103,23 @@ struct BodyPainter {
   }
 
   // The distance of a pixel from the lines that cut the body; adds to `bulge`.
-  // [px, Q10] (column, line) is in the box. Neighbour i does not matter to the
-  // left of next[i]: a step of one pixel changes a distance by at most 1 px.
+  // [px, Q10] (column, line) is in the box. A step of one pixel changes a
+  // distance by at most 1 px.
   int32_t cut_of(int32_t distance,
                  int32_t column,
                  int32_t line,
-                 int32_t (&next)[Body::kMostTouches],
-                 int32_t& bulge) const noexcept {
+                 int32_t& bulge) noexcept {
     int32_t cut = INT32_MAX;
     for (size_t i = 0; i < count; ++i) {
-      const View& other = others[i];
-      if (column < next[i]) {
+      View& other = others[i];
+      if (column < other.next) {
         continue;
       }
       const int32_t other_scale = other.shape->grid().scale_log2();
       const int32_t depth = other.distance(column, line);
       const int32_t far = -depth - (4096 << other_scale);
       if (far >= 0) {
-        next[i] = column + 1 + (far >> 10);
+        other.next = static_cast<int16_t>(column + 1 + (far >> 10));
         continue;
       }
       bulge += bulge_share(depth, other_scale) * other.bulge_q10 >> 10;
@@ -132,9 +129,8 @@ struct BodyPainter {
     return cut;
   }
 
-  __attribute__((noinline)) void draw_row(const Rect& box,
-                                          int32_t y,
-                                          const Sink& sink) const noexcept {
+  __attribute__((noinline)) void draw_row(int32_t y,
+                                          const Sink& sink) noexcept {
     const int32_t line = y - box.y0;
     const int32_t end = min(box.x1, sink.window.x1) - box.x0;
     const int32_t around =
@@ -143,7 +139,9 @@ struct BodyPainter {
     // Distances without coverage, even with a bulge, and with full coverage.
     const int32_t blank = min(filter.outside_q10, 0) - limit - 64;
     const int32_t full = max(filter.inside_q10, 0) + 64;
-    int32_t next[Body::kMostTouches] = {};
+    for (View& other : others) {
+      other.next = 0;
+    }
     PixelRun run(sink, y);
     for (int32_t column = max(sink.window.x0 - box.x0, 0); column < end;) {
       const int32_t distance = own.distance(column, line);
@@ -154,7 +152,7 @@ struct BodyPainter {
       const int32_t x = box.x0 + column;
       int32_t bulge =
           around + at_wall(0, x - walls.x0) + at_wall(2, walls.x1 - 1 - x);
-      const int32_t cut = cut_of(distance, column, line, next, bulge);
+      const int32_t cut = cut_of(distance, column, line, bulge);
       // A step of one pixel lessens the depth by at most 1 px.
       const int32_t deep = min(distance, cut) - full;
       if (deep > 0) {
@@ -170,29 +168,16 @@ struct BodyPainter {
   }
 };
 
-}  // namespace
-
-void draw_body(Span<const Body> bodies,
-               size_t index,
-               const BodyRules& rules,
-               const Filter& filter,
-               const Sink& sink) noexcept {
+// Not inline: rows need the stack.
+__attribute__((noinline)) void set_views(Span<const Body> bodies,
+                                         size_t index,
+                                         BodyPainter& painter) noexcept {
   const Body& body = bodies[index];
-  if (body.shape == nullptr) {
-    return;
-  }
-  const Rect whole = box_of(body);
-  const Rect walls = intersect(rules.walls, {-8191, -8191, 8191, 8191});
-  const Rect box = intersect(whole, walls);
-  if (is_empty(box) || !have_common(box, sink.window)) {
-    return;
-  }
-  BodyPainter painter = {{}, {}, 0, {}, walls, filter};
+  const Rect& box = painter.box;
   look_at(body, box.x0, box.y0, painter.own);
-  painter.own.bulge_q10 = 0;
+  int32_t swell_q10 = 0;
   for (const BodyTouch& touch : body.touches) {
-    painter.own.bulge_q10 = static_cast<int16_t>(
-        min(painter.own.bulge_q10 + touch.swell_q8 * 4, kMostSwellQ10));
+    swell_q10 = min(swell_q10 + touch.swell_q8 * 4, kMostSwellQ10);
     if (touch.with < bodies.size && touch.with != index &&
         bodies[touch.with].shape != nullptr) {
       View& other = painter.others[painter.count++];
@@ -203,10 +188,29 @@ void draw_body(Span<const Body> bodies,
       painter.wall_bulges_q6[touch.with - BodyTouch::kWalls] = touch.bulge_q6;
     }
   }
-  const int32_t first = max(box.y0, sink.window.y0);
-  const int32_t end = min(box.y1, sink.window.y1);
-  for (int32_t y = first; y < end; ++y) {
-    painter.draw_row(box, y, sink);
+  painter.own.bulge_q10 = static_cast<int16_t>(swell_q10);
+}
+
+}  // namespace
+
+void draw_body(Span<const Body> bodies,
+               size_t index,
+               const BodyRules& rules,
+               const Filter& filter,
+               const Sink& sink) noexcept {
+  if (bodies[index].shape == nullptr) {
+    return;
+  }
+  const Rect walls = intersect(rules.walls, {-8191, -8191, 8191, 8191});
+  const Rect box = intersect(box_of(bodies[index]), walls);
+  const Rect part = intersect(box, sink.window);
+  if (is_empty(part)) {
+    return;
+  }
+  BodyPainter painter = {{}, {}, 0, {}, walls, box, filter};
+  set_views(bodies, index, painter);
+  for (int32_t y = part.y0; y < part.y1; ++y) {
+    painter.draw_row(y, sink);
   }
 }
 
