@@ -214,6 +214,19 @@ class Animate(unittest.TestCase):
                       out, code=1)
         self.assertIn("figure13 takes up to 8 letters", message)
 
+    def test_bodies_pile_up_and_keep_their_ink(self):
+        """Until the floor opens: at least two layers, nothing pushed through."""
+        for size in ("320x240", "128x64"):
+            _, stats = self.play("figure13", "h.png", size=size, frames=287)
+            self.assertGreaterEqual(stats["resting_off_floor"], 2, size)
+            self.assertEqual(stats["worst_penetration_px"], 0, size)
+            self.assertLessEqual(stats["worst_rigid_penetration_px"], 0.5)
+            for what, most in (("ink_of_a_frame", 0.02),
+                               ("ink_of_a_letter", 0.06)):
+                least, greatest = stats[what]
+                self.assertGreater(least, 1 - most, (size, what))
+                self.assertLess(greatest, 1 + most, (size, what))
+
     def test_the_vortex_stays_on_the_screen(self):
         """Its ground as well, on screens of any size."""
         for text, width, height in (("eg", 160, 120), ("S", 640, 480)):
