@@ -9,6 +9,7 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "rom/rom_font.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "editor/edits.hpp"
 #include "editor/exact_preview.hpp"
 #include "editor/strokes.hpp"
 #include "model/contours.hpp"

@@ -1,4 +1,5 @@
 // All glyphs of the font.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The properties of the selection, and the nib.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <cmath>
