@@ -142,13 +142,18 @@ for board in $boards; do
   built "$board" && run_tests "$board"
 done
 
+# Generator and tools with each source alone, as the preset builds them:
+# where folders are joined, a source may lean on what another includes.
+fontgen=-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen
+build alone --preset host -DINKCELL_TESTS=OFF -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_CXX_FLAGS_DEBUG=-O0 "$fontgen"
+
 # Only what runs is of interest here, and not the tests that make whole fonts to
 # judge them, play whole scenes, or measure time, which takes minutes each: the
 # same code runs in smaller ones. Nor that of a firmware, which has no
 # sanitizers. So tests/CMakeLists.txt leaves folders out, and the fonts that
 # programs are built with come from the generator without sanitizers.
 slow='fonts|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
-fontgen=-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen
 build host-sanitize --preset host-sanitize "$fontgen" &&
   run_tests host-sanitize --timeout 300 -E "^($slow)"
 
