@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <map>
@@ -52,7 +53,7 @@ struct Arguments {
   double seconds = 10;
   double from = 0;  // [s]
   int frames_per_second = scenes::kFramesPerSecond;
-  std::string format = "apng";
+  std::string format;  // by the name of `out`
   std::string out;
   std::string stats;
   std::string print;
@@ -379,6 +380,11 @@ void run_reel(Arguments& arguments, const CLI::App& app) {
 }
 
 void run(Arguments& arguments, const CLI::App& app) {
+  if (arguments.format.empty()) {
+    arguments.format =
+        std::filesystem::path(arguments.out).extension() == ".gif" ? "gif"
+                                                                   : "apng";
+  }
   if (arguments.scene == "reel") {
     run_reel(arguments, app);
     return;
@@ -418,7 +424,8 @@ void run(Arguments& arguments, const CLI::App& app) {
 void add_arguments(CLI::App& app, Arguments& arguments) {
   std::string scenes = "One of:";
   for (const SceneKind& kind : scene_kinds()) {
-    scenes += "\n" + std::string(kind.name) + ": " + std::string(kind.what);
+    scenes += "\n" + std::string(kind.name) + ": " + std::string(kind.what) +
+              " (--text: " + std::string(kind.takes) + ")";
   }
   scenes += "\nreel: ten of them side by side, 800x160 px";
   app.add_option("scene", arguments.scene, scenes)->required();
@@ -437,7 +444,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--seconds", arguments.seconds,
                  "How long; every scene repeats after 10 s")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   app.add_option("--from", arguments.from, "Where to begin [s]")
       ->check(CLI::Range(0.0, 36000.0))
@@ -448,9 +455,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--format", arguments.format,
-                 "apng, gif, frames (PNG), or sheet: all frames in one PNG")
-      ->check(CLI::IsMember({"apng", "gif", "frames", "sheet"}))
-      ->capture_default_str();
+                 "apng, gif, frames (PNG), or sheet: all frames in one PNG; "
+                 "without it gif for names that end so, otherwise apng")
+      ->check(CLI::IsMember({"apng", "gif", "frames", "sheet"}));
   app.add_option("--print", arguments.print,
                  "Draw the letter of figure15 as a print")
       ->check(CLI::IsMember(print_styles()))

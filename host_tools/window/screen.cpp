@@ -61,6 +61,15 @@ Screen::Screen(const std::string& title, float scale) {
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {
     refuse("no display");
   }
+  // Drivers that draw nowhere are for those who ask for them.
+  const std::string driver = SDL_GetCurrentVideoDriver();
+  if (SDL_getenv("SDL_VIDEODRIVER") == nullptr &&
+      (driver == "offscreen" || driver == "dummy" || driver == "evdev")) {
+    SDL_Quit();
+    throw std::runtime_error(
+        "no display: DISPLAY and WAYLAND_DISPLAY are not set; --script works "
+        "without one");
+  }
   if (scale == 0) {
     scale = display_scale();
   }

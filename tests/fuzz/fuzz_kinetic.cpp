@@ -353,7 +353,7 @@ void use_recipes(const Font& font, Choices& choices) {
   timing.duration_ms = choices.number();
   Counter counter(font, style, origin, choices.byte());
   const auto counted = static_cast<uint32_t>(choices.number());
-  counter.roll(counted, static_cast<uint32_t>(choices.number()), timing,
+  counter.roll(static_cast<int32_t>(counted), choices.number(), timing,
                easing_of(choices));
   Clock clock(font, style, origin);
   Typewriter line(font, style, origin, {text, sizeof text}, choices.number());

@@ -293,7 +293,15 @@ TEST(counters_roll) {
   counter.at(0);
   draw(counter, whole, kAll);
   CHECK_EQ(counter.value(), 999u);
-  CHECK(ink_of(whole) > 2 * seven && seven > 0);
+  const int32_t most = ink_of(whole);
+  CHECK(most > 2 * seven && seven > 0);
+  counter.roll(999, 999, {});
+  counter.at(0);
+  draw(counter, whole, kAll);
+  CHECK_EQ(ink_of(whole), most);
+  counter.roll(-20, -20, {});
+  counter.at(0);
+  CHECK_EQ(counter.value(), 0u);
 }
 
 TEST(counters_count_down_and_overshoot) {

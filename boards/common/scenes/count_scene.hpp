@@ -26,7 +26,7 @@ class CountScene : public TextScene {
     // It begins at rest.
     const int32_t now = time_of((frame + 90) % kFrames);
     const bool is_up = now < kBackMs;
-    counter_.roll(is_up ? 0 : most(), is_up ? most() : 0,
+    counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
                   {is_up ? 0 : kBackMs, is_up ? 2600 : 700});
     const Rect rolls = counter_.at(now);
     next(frame, is_empty(rolls) ? rolls : bounding_box(counter_.box(), bar()));
@@ -53,8 +53,6 @@ class CountScene : public TextScene {
     bar.y1 = bar.y0 + px(20);
     return bar;
   }
-
-  uint32_t most() const noexcept { return static_cast<uint32_t>(most_); }
 
   kinetic::Counter counter_;
   int32_t most_ = 0;

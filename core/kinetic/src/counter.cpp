@@ -27,8 +27,8 @@ Counter::Counter(const Font& font,
       cells_(measure_digits(font, style)),
       digits_(clamp(digits, 1, kMostDigits)) {}
 
-void Counter::roll(uint32_t from,
-                   uint32_t to,
+void Counter::roll(int32_t from,
+                   int32_t to,
                    const Timing& timing,
                    const Easing& easing) noexcept {
   from_ = from;
@@ -60,7 +60,7 @@ Rect Counter::box_of(int32_t wheels) const noexcept {
 
 Rect Counter::at(int32_t now_ms) noexcept {
   const Q16_16 part = ease(easing_, progress_at(timing_, now_ms));
-  const int64_t most = (int64_t{kPowers[digits_]} << 16) - 1;
+  const int64_t most = (int64_t{kPowers[digits_]} - 1) << 16;
   const int64_t exact =
       int64_t{from_} * 65536 + (int64_t{to_} - int64_t{from_}) * part.raw;
   const int64_t value = exact < 0 ? 0 : exact > most ? most : exact;

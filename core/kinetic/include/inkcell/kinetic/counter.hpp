@@ -25,9 +25,10 @@ class Counter {
           Point origin,
           int32_t digits) noexcept;
 
-  /// Counts from one number to another, up or down, by timing and easing.
-  void roll(uint32_t from,
-            uint32_t to,
+  /// Counts from one number to another, up or down, by timing and easing. It
+  /// shows 0 for less, and nines for more than the wheels can show.
+  void roll(int32_t from,
+            int32_t to,
             const Timing& timing,
             const Easing& easing = kEaseOut) noexcept;
 
@@ -53,8 +54,8 @@ class Counter {
   Point origin_;
   DigitCells cells_;
   int32_t digits_;
-  uint32_t from_ = 0;
-  uint32_t to_ = 0;
+  int32_t from_ = 0;
+  int32_t to_ = 0;
   Timing timing_;
   Easing easing_;
   int64_t value_q16_ = -1;  // -1: at() was not called
