@@ -443,8 +443,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("WxH")
       ->capture_default_str();
   app.add_option("--seconds", arguments.seconds,
-                 "How long; every scene repeats after 10 s")
-      ->check(CLI::Range(0.1, 3600.0))
+                 "How long; 0: one frame; every scene repeats after 10 s")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   app.add_option("--from", arguments.from, "Where to begin [s]")
       ->check(CLI::Range(0.0, 36000.0))

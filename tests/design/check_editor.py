@@ -204,7 +204,7 @@ def check_smooth_points(editor):
 
 def check_new_font(editor):
     """From nothing to a font: glyphs, names, characters, other projects."""
-    made, added, named, again, old, gone = editor.run(
+    made, added, named, again, old, gone, exported = editor.run(
         "new New.ufo A-C,U+20 Mine 1000 750 -250 500 700", "print",
         "add D,E", "add _stem", "print", "glyph D", "tool Rectangle",
         "press 100 0", "move 200 700", "release 200 700",
@@ -213,7 +213,7 @@ def check_new_font(editor):
         "tool Rectangle", "press 300 0", "move 400 700", "release 400 700",
         "save_as Other.ufo", "print", "open New.ufo", "glyph Delta", "print",
         "open Other.ufo", "glyph Delta", "action Delete glyph", "print",
-        "export New.ttf")
+        "export New.ttf", "print")
     expect(made["glyph"] == "A" and made["width"] == 600 and
            "4 glyphs" in made["message"], f"a new font: {made['message']}")
     expect(added["glyph"] == "A", "adding glyphs shows no other one")
@@ -223,6 +223,8 @@ def check_new_font(editor):
     expect(len(old["contours"]) == 1, "the old project has not changed")
     expect(gone["glyph"] == "E" and "'Delta'" in gone["message"],
            f"after a deletion: {gone['message']}")
+    expect(" of them empty" in exported["message"],
+           f"what is not drawn: {exported['message']}")
     names = plistlib.loads((editor.folder / "New.ufo/lib.plist").read_bytes())
     expect(names["public.glyphOrder"] == ["space", "A", "B", "C", "Delta", "E",
                                           "_stem"], f"order: {names}")

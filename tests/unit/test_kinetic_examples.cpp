@@ -227,18 +227,18 @@ Status draw_level_set(const Sink& sink) {
   static int8_t samples[2][48 * 48];
   DistanceGrid grid(samples[0], 48, 48, 0);
   DistanceGrid next(samples[1], 48, 48, 0);
-  GridHistogram scratch;
   grid.clear();
   INKCELL_TRY(grid.paint(font, 1, Q26_6::from_int(32), from));
-  const int32_t area = grid.area();
+  const int32_t area = grid.area();  // once, before the first step
+  GridHistogram scratch;
   Vortex vortex;
   vortex.x = vortex.y = Q16_16::from_int(24);  // [samples]
-  vortex.core = 6;
-  vortex.strength = 700;
+  vortex.core = 6;                             // [samples]
+  vortex.strength = 700;                       // [samples^2 / 256 a step]
   Flow flow;
   flow.vortices = {&vortex, 1};
-  advect(grid, flow, next);  // a step
-  redistance(next, grid);    // every 8th step or so, or some rows in each
+  advect(grid, flow, next);  // a step: from grid to next
+  redistance(next, grid);    // back; in 7 steps of 8 swap the grids instead
   GridLook look;
   look.cutoff = cutoff_for(grid, area, scratch);  // keeps the area
   draw_grid(grid, look, 0, 0, kFilterMotion, sink);
@@ -257,7 +257,7 @@ Status melt_and_freeze(int32_t frame, const Sink& sink) {
     INKCELL_TRY(grid.paint(font, 1, Q26_6::from_int(32), from));
     word.clear();
     INKCELL_TRY(word.paint(font, 2, Q26_6::from_int(32), from));
-    how.floor = from.y;        // from the grid's upper edge
+    how.floor = from.y;      // from the grid's upper edge
     how.area = grid.area();  // is kept
   }
   if (frame < 60) {

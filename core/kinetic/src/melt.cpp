@@ -8,8 +8,8 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kSlow = 80;       // the height of slow samples [1/32 sample]
-constexpr int32_t kLeast = 3 * 32;  // the depth of a puddle [1/32 sample]
+constexpr int32_t kSlow = 80;  // the height of slow samples [1/32 sample]
+constexpr int32_t kLeastDepth = 3 * 32;  // the depth of a puddle [1/32 sample]
 
 int8_t sample_of(int32_t value) noexcept {
   return static_cast<int8_t>(clamp(value, INT8_MIN, INT8_MAX));
@@ -37,7 +37,8 @@ void melt(DistanceGrid& grid,
   const int32_t shift = grid.scale_log2() + 1;
   const int32_t added = -cutoff_for(grid, how.area, scratch).raw / 64;
   // As deep as one of this area, from side to side.
-  const int32_t depth = max(how.area / max(2 * grid.width(), 1) + 32, kLeast);
+  const int32_t depth =
+      max(how.area / max(2 * grid.width(), 1) + 32, kLeastDepth);
   for (int32_t x = 0; x < grid.width(); ++x) {
     const int32_t speed = speed_q8 * speed_of(how.seed, x);
     // Upwards: the sample above is still that of the step before.

@@ -104,6 +104,7 @@ std::shared_ptr<const Preview> draw_exact_preview(const Preview& last,
   preview->rom = last.rom;
   preview->glyph_name = last.glyph_name;
   preview->missing = job.missing;
+  preview->undrawn = job.undrawn;
   preview->is_exact = true;
   preview->glyph =
       picture(tools::to_utf8(job.character), job.settings.glyph_px);

@@ -81,6 +81,7 @@ PreviewJob make_job(const Project& project,
       if (wanted.count(c) != 0) {
         add_glyph(project, name, job.project);
         found.insert(c);
+        job.undrawn += is_undrawn(*candidate) ? tools::to_utf8(c) : "";
       }
     }
   }
@@ -107,6 +108,7 @@ Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs) {
   Preview preview;
   preview.glyph_name = job.glyph;
   preview.missing = job.missing;
+  preview.undrawn = job.undrawn;
   const auto begin = std::chrono::steady_clock::now();
   try {
     gen::GenerateRequest request;

@@ -38,6 +38,7 @@ struct PreviewJob {
   std::string glyph;
   char32_t character = 0;  // of the glyph in `project`
   std::string missing;     // characters of the text that the font lacks
+  std::string undrawn;     // and those whose glyphs are empty
   PreviewSettings settings;
 };
 
@@ -67,6 +68,7 @@ struct Preview {
   tools::Image glyph;
   std::vector<TextPicture> lines;
   std::string missing;  // characters of the text that the font lacks
+  std::string undrawn;  // and those whose glyphs are empty
   std::vector<CellBox> cells;
   size_t cell_bytes = 0;  // of the glyph's record of cells
 };

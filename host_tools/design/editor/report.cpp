@@ -58,6 +58,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"bytes", preview.glyph_bytes},
           {"points", preview.glyph_points},
           {"missing", preview.missing},
+          {"undrawn", preview.undrawn},
           {"worst_error", preview.worst_error},
           {"cells", preview.cells.size()},
           {"message", editor.message.text}};

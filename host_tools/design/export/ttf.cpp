@@ -102,7 +102,11 @@ class TtfWriter {
     }
     for (const std::string& glyph_name : names) {
       if (outlines_.count(glyph_name) != 0) {
-        add_glyph(*project_.glyph(glyph_name));
+        const Glyph& glyph = *project_.glyph(glyph_name);
+        if (is_undrawn(glyph)) {
+          ++report_.undrawn;
+        }
+        add_glyph(glyph);
       } else {
         report_.left_out.push_back(glyph_name);
       }
@@ -460,6 +464,9 @@ std::string TtfReport::text() const {
   constexpr size_t kMostNames = 5;
   std::string result =
       std::to_string(glyphs) + (glyphs == 1 ? " glyph" : " glyphs");
+  if (undrawn != 0) {
+    result += ", " + std::to_string(undrawn) + " of them empty";
+  }
   if (kerned_pairs != 0) {
     result += ", " + std::to_string(kerned_pairs) + " pairs of kerning";
   }

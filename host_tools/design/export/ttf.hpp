@@ -12,11 +12,12 @@ namespace inkcell::design {
 /// What a font has of its project.
 struct TtfReport {
   size_t glyphs = 0;
+  size_t undrawn = 0;  // of them, spaces apart
   size_t kerned_pairs = 0;
   std::vector<std::string> left_out;  // glyphs
   bool has_features = false;          // features.fea, which is left out
 
-  /// "95 glyphs, 1204 pairs of kerning; left out: ..."
+  /// "95 glyphs, 3 of them empty, 1204 pairs of kerning; left out: ..."
   std::string text() const;
 };
 

@@ -83,4 +83,12 @@ PointType parse_type(const std::string& name) {
               "' is not known; use move, line, curve, qcurve or offcurve");
 }
 
+bool is_undrawn(const Glyph& glyph) {
+  const char32_t c = glyph.unicodes.empty() ? 0 : glyph.unicodes.front();
+  const bool is_space = c == U' ' || c == 0xa0 || c == 0x1680 ||
+                        (c >= 0x2000 && c <= 0x200f) || c == 0x202f ||
+                        c == 0x205f || c == 0x3000;
+  return glyph.contours.empty() && glyph.components.empty() && !is_space;
+}
+
 }  // namespace inkcell::design

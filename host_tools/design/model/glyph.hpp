@@ -94,6 +94,9 @@ bool operator==(const Guideline& a, const Guideline& b);
 bool operator==(const GlyphImage& a, const GlyphImage& b);
 bool operator==(const Glyph& a, const Glyph& b);
 
+/// Whether it has neither contours nor components, and is no space.
+bool is_undrawn(const Glyph& glyph);
+
 /// The name of a point type in GLIF and in commands; empty for off-curve points
 /// in GLIF. Throws Error for an unknown name.
 std::string type_name(PointType type);

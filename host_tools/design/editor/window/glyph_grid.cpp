@@ -27,13 +27,6 @@ std::string label_of(const Glyph& glyph) {
   return glyph.name.substr(0, kLetters);
 }
 
-// Nothing is drawn yet.
-bool is_missing(const Glyph& glyph) {
-  const bool is_space = !glyph.unicodes.empty() && (glyph.unicodes[0] == U' ' ||
-                                                    glyph.unicodes[0] == 0xa0);
-  return glyph.contours.empty() && glyph.components.empty() && !is_space;
-}
-
 // Whether a glyph's name or character, or U+ and its code point, has `text`.
 bool matches(const Glyph& glyph, const std::string& text) {
   bool found = glyph.name.find(text) != std::string::npos;
@@ -74,7 +67,7 @@ void draw_cell(Panels& panels, const std::string& name) {
                   colour::ink);
   }
   const std::string text = label_of(*glyph);
-  if (is_missing(*glyph)) {  // its character, pale
+  if (is_undrawn(*glyph)) {  // its character, pale
     const float wide = ImGui::CalcTextSize(text.c_str()).x;
     list.PushClipRect(at, end, true);
     list.AddText({std::round(at.x + (side - wide) / 2), at.y + px(16)},
@@ -93,7 +86,7 @@ void draw_cell(Panels& panels, const std::string& name) {
   list.PopClipRect();
   ImGui::PopFont();
   const std::string hint =
-      name + (is_missing(*glyph) ? ", empty" : "") +
+      name + (is_undrawn(*glyph) ? ", empty" : "") +
       (editor.is_changed(name) ? ", changed since it was saved" : "");
   tooltip(hint.c_str());
 }
@@ -130,7 +123,7 @@ void draw_glyph_grid(Panels& panels) {
                            &panels.search);
   size_t missing = 0;
   for (const std::string& name : order) {
-    missing += is_missing(*editor.project().find(name)) ? 1u : 0u;
+    missing += is_undrawn(*editor.project().find(name)) ? 1u : 0u;
   }
   ImGui::Text(order.size() == 1 ? "%zu glyph" : "%zu glyphs", order.size());
   if (missing != 0) {

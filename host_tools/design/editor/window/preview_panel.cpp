@@ -182,6 +182,9 @@ void draw_preview_panel(Panels& panels) {
   if (!preview.missing.empty()) {
     ImGui::TextDisabled("Not in the font: %s", preview.missing.c_str());
   }
+  if (!preview.undrawn.empty()) {
+    ImGui::TextDisabled("Empty: %s", preview.undrawn.c_str());
+  }
   draw_lines(panels, preview);
 }
 
