@@ -91,7 +91,7 @@ class MeltScene : public TextScene {
   int32_t phase() const noexcept {
     return static_cast<int32_t>(step_ % static_cast<uint32_t>(kHalf));
   }
-  // Of the word that is there, or melts.
+  // The index of the word that is shown, or melts.
   size_t index() const noexcept {
     const uint32_t whole = step_ / static_cast<uint32_t>(kHalf);
     return (whole + (phase() >= kRests ? 1 : 0)) % 2;

@@ -50,7 +50,7 @@ class TextScene {
 
   const Font& font() const noexcept { return *setting_.font; }
   Text text() const noexcept { return setting_.text; }
-  /// The first word, or what follows it.
+  /// Word 0 is the first one, word 1 the rest of the text.
   Text word(size_t index) const noexcept {
     return word_of(setting_.text, index);
   }

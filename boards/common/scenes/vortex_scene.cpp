@@ -27,7 +27,7 @@ constexpr uint32_t kCore = 0xd9763f;
 // Frames of a loop.
 constexpr uint32_t kBegins = 12;
 constexpr uint32_t kThins = 80;
-constexpr uint32_t kEnds = 196;  // of the vortex; the letter grows anew
+constexpr uint32_t kEnds = 196;  // the vortex stops, a new letter grows
 constexpr uint32_t kGone = 230;
 constexpr uint32_t kGrown = 236;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength

@@ -80,7 +80,7 @@ class VortexScene {
   kinetic::PrintStyle print_ = kinetic::PrintStyle::relief;
   bool is_print_ = false;
   kinetic::GridHistogram scratch_;
-  Fixed<int32_t, 13> cutoff_;  // of the letter that was wound up
+  Fixed<int32_t, 13> cutoff_;  // keeps the area of the wound letter
   int32_t area_ = 0;
   uint32_t frame_ = 0;
   Rect before_;  // drawn by the last two frames

@@ -24,8 +24,8 @@ namespace kinetic {
 /// The speed limit of all points of a body. [px a step]
 inline constexpr int32_t kMostBodySpeed = 16;
 
-/// What a soft body has lost to a neighbour or a wall, and where it goes: a
-/// bulge beside the contact, and what the bulge cannot hold all around.
+/// How a neighbour or a wall deforms a soft body: the area that the contact
+/// takes makes a bulge beside it; what the bulge cannot hold swells the body.
 struct BodyTouch {
   uint8_t with = kNothing;  // the index of a body, or kWalls + the wall
   uint8_t bulge_q6 = 0;     // at the contact [px]

@@ -24,7 +24,7 @@ namespace kinetic {
 /// How a shape melts.
 struct Melting {
   Q26_6 floor;           // [px from the grid's upper edge] Nothing is below it.
-  int32_t speed_q8 = 0;  // of the fastest column, at most a sample [a step]
+  int32_t speed_q8 = 0;  // the fastest column, at most a sample [a step]
   /// DistanceGrid::area() of the shape: what sinks spreads as a puddle until
   /// the area is this again. [1/64 of a sample]
   int32_t area = 0;
