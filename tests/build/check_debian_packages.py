@@ -366,7 +366,8 @@ def tests_evidence(host):
     names = run(["git", "-C", ROOT, "ls-files", "-z"]).stdout.split("\0")
     texts = {name: (ROOT / name).read_text(errors="replace") for name in names
              if name.endswith((".txt", ".cmake", ".py", ".sh", ".cpp", ".hpp",
-                               ".json")) and (ROOT / name).is_file()}
+                               ".json")) and (ROOT / name).is_file()
+             and ROOT / name not in optional}
     found.add_shared({**texts, **commands})
     for name, text in texts.items():
         for word in NAMED_COMPILER.findall(text):
