@@ -10,9 +10,9 @@ import pathlib
 import re
 import sys
 
-from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, WARNINGS, c_compiler,
-                        c_headers, device_headers, finish, in_parallel,
-                        require, run)
+from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, LAUNCHER, WARNINGS,
+                        c_compiler, c_headers, device_headers, finish,
+                        in_parallel, require, run)
 
 FREESTANDING = {"C++17": ["-ffreestanding", "-fno-exceptions", "-fno-rtti"],
                 "C99": ["-ffreestanding"]}
@@ -29,16 +29,17 @@ MODES = {
 # In the compiler's first message.
 REMEDY = re.compile(r"error: .*Inkcell needs C\+\+17: .*-std=gnu\+\+17")
 
-def check(machine, mode, language, sources):
-    """What a compiler says of the sources, which it is given all at once: it
-    compiles each by itself, and starts in less time."""
+def check(machine, mode, language, source):
+    """What a compiler says of a source. It makes an object: what a compiler only
+    reads, a cache of objects does not know."""
     if language == "C99":
         command = [*c_compiler(machine), *C_WARNINGS]
     else:
         command = [*COMPILERS[machine][0], "-std=c++17", *WARNINGS]
     cast_align = "-Wcast-align" + ("" if "clang" in machine else "=strict")
-    result = run([*command, *MODES[mode][language], cast_align, *INCLUDES,
-                  "-fsyntax-only", *sources])
+    target = source.with_suffix(f".{machine}.{mode}.o".replace(" ", "-"))
+    result = run([*LAUNCHER, *command, *MODES[mode][language], cast_align,
+                  *INCLUDES, "-c", source, "-o", target])
     return None if result.returncode == 0 else (
         f"{language} ({machine}, {mode}):\n{result.stdout}")
 
@@ -59,7 +60,7 @@ def main():
     work = pathlib.Path(sys.argv[1])
     work.mkdir(parents=True, exist_ok=True)
     require([command[0] for command, _ in COMPILERS.values()])
-    jobs, checked = [], 0
+    jobs = []
     for language, ending, headers in (
             ("C++17", ".cpp", device_headers() + c_headers()),
             ("C99", ".c", c_headers())):
@@ -72,14 +73,13 @@ def main():
             for mode in MODES:
                 # Without a C library there are no hosted headers for RV32.
                 if (machine, mode) != ("RV32", "hosted"):
-                    jobs.append((machine, mode, language, sources))
-                    checked += len(sources)
+                    jobs += [(machine, mode, language, source)
+                             for source in sources]
         if language == "C++17":
             old = [(source,) for source in sources]
     problems = [found for found in
                 in_parallel(check, jobs) + in_parallel(check_old, old) if found]
-    checked += len(old)
-    finish(checked, problems)
+    finish(len(jobs) + len(old), problems)
 
 
 main()
