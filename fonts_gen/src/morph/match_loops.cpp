@@ -117,11 +117,23 @@ class Matcher {
   }
 
   LoopMatch find() {
+    set_least_costs();
     best_.cost = kInfinity;
+    // A good start first: others are soon known to be worse.
+    size_t nearest = n_[1];
+    double least = kInfinity;
     for (size_t j = 0; j < n_[1]; ++j) {
-      const LoopStop& stop = stops_[1][j];
-      const LoopEdge& edge = (*loops_[1])[static_cast<size_t>(stop.edge)];
-      if (!edge.is_jump && (stop.eighth == edge.from || j % 2 == 0)) {
+      const double away = length(stops_[1][j].at - stops_[0][0].at);
+      if (may_start(j) && away < least) {
+        nearest = j;
+        least = away;
+      }
+    }
+    if (nearest < n_[1]) {
+      try_start(nearest);
+    }
+    for (size_t j = 0; j < n_[1]; ++j) {
+      if (j != nearest && may_start(j)) {
         try_start(j);
       }
     }
@@ -129,6 +141,12 @@ class Matcher {
   }
 
  private:
+  bool may_start(size_t j) const {
+    const LoopStop& stop = stops_[1][j];
+    const LoopEdge& edge = (*loops_[1])[static_cast<size_t>(stop.edge)];
+    return !edge.is_jump && (stop.eighth == edge.from || j % 2 == 0);
+  }
+
   float* costs(size_t i, size_t j) {
     return costs_.data() + (i * n_[1] + j) * most_[0] * most_[1];
   }
@@ -156,6 +174,42 @@ class Matcher {
     }
   }
 
+  // What each advance in one loop costs at least, whatever the other does.
+  void set_least_costs() {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    least_[0].assign(n_[0] * most_[0], kFar);
+    least_[1].assign(n_[1] * most_[1], kFar);
+    for (size_t i = 0; i < n_[0]; ++i) {
+      for (size_t j = 0; j < n_[1]; ++j) {
+        const float* at = costs(i, j);
+        for (size_t x = 0; x < advances_[0][i].size(); ++x) {
+          float& least = least_[0][i * most_[0] + x];
+          for (size_t y = 0; y < advances_[1][j].size(); ++y) {
+            const float cost = at[x * most_[1] + y];
+            least = std::min(least, cost);
+            float& other = least_[1][j * most_[1] + y];
+            other = std::min(other, cost);
+          }
+        }
+      }
+    }
+  }
+
+  // What the way from each stop to the end of one loop costs at least.
+  void set_rest(size_t k, size_t start) {
+    const size_t n = n_[k];
+    rest_[k].assign(n + 1, std::numeric_limits<float>::infinity());
+    rest_[k][n] = 0;
+    for (size_t i = n; i-- > 0;) {
+      const size_t at = (i + start) % n;
+      const size_t count = std::min(advances_[k][at].size(), n - i + 1);
+      for (size_t x = 1; x < count; ++x) {
+        rest_[k][i] = std::min(
+            rest_[k][i], least_[k][at * most_[k] + x] + rest_[k][i + x]);
+      }
+    }
+  }
+
   void try_start(size_t start) {
     const size_t n = n_[0];
     const size_t m = n_[1];
@@ -164,10 +218,12 @@ class Matcher {
     sums_.assign((n + 1) * width, std::numeric_limits<float>::infinity());
     from_.assign((n + 1) * width, 0);
     sums_[0] = 0;
+    set_rest(0, 0);
+    set_rest(1, start);
     for (size_t i = 0; i <= n; ++i) {
       for (size_t j = 0; j <= m; ++j) {
         const float sum = sums_[i * width + j];
-        if (sum >= far) {
+        if (sum + std::max(rest_[0][i], rest_[1][j]) >= far) {
           continue;
         }
         const size_t a = i % n;
@@ -175,16 +231,16 @@ class Matcher {
         const float* const prices = costs(a, b);
         const size_t ways_a = i == n ? 1 : advances_[0][a].size();
         const size_t ways_b = j == m ? 1 : advances_[1][b].size();
+        // Not beyond the start of the second loop.
+        const size_t most_b = std::min(ways_b, m - j + 1);
         for (size_t x = 0; x < ways_a; ++x) {
-          for (size_t y = x == 0 ? 1 : 0; y < ways_b; ++y) {
-            const size_t next = (i + x) * width + j + y;
-            if (j + y > m) {
-              break;  // beyond the start of the second loop
-            }
-            const float price = sum + prices[x * most_[1] + y];
-            if (price < sums_[next]) {
-              sums_[next] = price;
-              from_[next] = static_cast<uint16_t>(x * 256 + y);
+          const size_t row = (i + x) * width + j;
+          const float* const of_x = prices + x * most_[1];
+          for (size_t y = x == 0 ? 1 : 0; y < most_b; ++y) {
+            const float price = sum + of_x[y];
+            if (price < sums_[row + y]) {
+              sums_[row + y] = price;
+              from_[row + y] = static_cast<uint16_t>(x * 256 + y);
             }
           }
         }
@@ -229,6 +285,8 @@ class Matcher {
   size_t n_[2];
   size_t most_[2];
   std::vector<float> costs_;
+  std::vector<float> least_[2];
+  std::vector<float> rest_[2];
   std::vector<float> sums_;
   std::vector<uint16_t> from_;
   LoopMatch best_;

@@ -12,6 +12,8 @@ namespace {
 struct Chord {
   Point a;
   Point b;
+  Point low;
+  Point high;
   size_t contour;
   size_t piece;
 };
@@ -45,10 +47,8 @@ Point placed(const MorphContour& contour,
 }
 
 bool cross_each_other(const Chord& s, const Chord& t) {
-  if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) ||
-      std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
-      std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) ||
-      std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y)) {
+  if (s.high.x < t.low.x || t.high.x < s.low.x || s.high.y < t.low.y ||
+      t.high.y < s.low.y) {
     return false;
   }
   const Point u = s.b - s.a;
@@ -79,7 +79,13 @@ void add_crossings(const MorphPolygons& polygons,
   for (size_t c = 0; c < polygons.size(); ++c) {
     const auto& polygon = polygons[c];
     for (size_t i = 0; i < polygon.size(); ++i) {
-      const Chord chord = {polygon[i], polygon[(i + 1) % polygon.size()], c,
+      const Point& a = polygon[i];
+      const Point& b = polygon[(i + 1) % polygon.size()];
+      const Chord chord = {a,
+                           b,
+                           {std::min(a.x, b.x), std::min(a.y, b.y)},
+                           {std::max(a.x, b.x), std::max(a.y, b.y)},
+                           c,
                            i / static_cast<size_t>(chords)};
       if (length(chord.b - chord.a) > 1e-6) {
         all.push_back(chord);
@@ -109,7 +115,7 @@ double greatest_depth(const MorphPolygons& polygons) {
   double most = 0;
   for (double x = low.x; x < high.x; x += kStep_u) {
     for (double y = low.y; y < high.y; y += kStep_u) {
-      most = std::max(most, depth_at(polygons, {x, y}));
+      most = std::max(most, depth_at(polygons, {x, y}, most));
     }
   }
   return most;
@@ -172,21 +178,35 @@ double thickening_of(const MorphPair& pair) {
   return std::max({depth(0.25), depth(0.5), depth(0.75)}) / ends;
 }
 
-double depth_at(const MorphPolygons& polygons, const Point& at) {
-  double nearest = kInfinity;
+double depth_at(const MorphPolygons& polygons,
+                const Point& at,
+                double least) {
   bool is_inside = false;
   for (const auto& polygon : polygons) {
     for (size_t i = 0; i < polygon.size(); ++i) {
       const Point& a = polygon[i];
-      const Point& b = polygon[(i + 1) % polygon.size()];
-      nearest = std::min(nearest, squared_distance_to_segment(at, a, b));
+      const Point& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
       if ((a.y > at.y) != (b.y > at.y) &&
           at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
         is_inside = !is_inside;
       }
     }
   }
-  return is_inside ? std::sqrt(nearest) : -std::sqrt(nearest);
+  if (!is_inside) {
+    return 0;
+  }
+  double nearest = kInfinity;
+  for (const auto& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Point& b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+      nearest =
+          std::min(nearest, squared_distance_to_segment(at, polygon[i], b));
+      if (nearest < least * least) {
+        return 0;
+      }
+    }
+  }
+  return std::sqrt(nearest);
 }
 
 }  // namespace inkcell::gen

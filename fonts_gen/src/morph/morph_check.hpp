@@ -36,7 +36,10 @@ MorphQuality quality_of(const MorphPair& pair);
 /// above 1, strokes run together.
 double thickening_of(const MorphPair& pair);
 
-/// The distance to the nearest edge; negative outside.
-double depth_at(const MorphPolygons& polygons, const Point& at);
+/// The distance to the nearest edge; 0 outside, and where it is less than
+/// `least`.
+double depth_at(const MorphPolygons& polygons,
+                const Point& at,
+                double least = 0);
 
 }  // namespace inkcell::gen

@@ -53,7 +53,7 @@ std::vector<Middle> middles_of(const std::vector<Loop>& glyph,
       if (half < 8 || (best.depth > 0 && half > 1.3 * best.depth)) {
         continue;
       }
-      const double depth = depth_at(polygons, at);
+      const double depth = depth_at(polygons, at, 0.8 * half);
       if (depth > 0.8 * half && (best.depth == 0 || half < best.depth)) {
         best = {{stops[i].first, stops[j].first}, at, depth};
       }
@@ -118,7 +118,7 @@ bool is_open(const MorphPolygons& polygons, const Middle& a, const Middle& b) {
   const double least = 0.6 * std::min(a.depth, b.depth);
   for (int i = 1; i < 6; ++i) {
     const double t = i / 6.0;
-    if (depth_at(polygons, (1 - t) * a.at + t * b.at) < least) {
+    if (depth_at(polygons, (1 - t) * a.at + t * b.at, least) < least) {
       return false;
     }
   }
