@@ -1,5 +1,7 @@
 // Commands on the sources of outlines: strokes and trees of shapes. The source
 // is stored in the glyph's lib, its outline in the contours.
+#include <algorithm>
+
 #include "component/contour_csg.hpp"
 #include "component/csg.hpp"
 #include "model/command_table.hpp"
@@ -25,14 +27,39 @@ std::vector<PointContour> fitted(const Project& project,
                   arguments.number("grid", 1)));
 }
 
+// The area of a stroke of a command.
+struct SweptStroke {
+  Value stroke;
+  double scale = 0;
+  std::vector<std::vector<Point>> polygons;
+};
+
+// The areas of strokes. A pointer that drags a knot asks for the same glyph
+// again and again, with one stroke changed: those of the last command are kept.
+const std::vector<SweptStroke>& swept(const Value& strokes, double scale) {
+  thread_local std::vector<SweptStroke> last;
+  std::vector<SweptStroke> now;
+  for (const Value& stroke : strokes) {
+    const auto kept =
+        std::find_if(last.begin(), last.end(), [&](const SweptStroke& swept) {
+          return swept.scale == scale && swept.stroke == stroke;
+        });
+    now.push_back(kept != last.end()
+                      ? *kept
+                      : SweptStroke{stroke, scale,
+                                    polygons_of(parse_stroke(stroke, scale),
+                                                kPathFit_u)});
+  }
+  last = std::move(now);
+  return last;
+}
+
 Change set_strokes(const Project& project, const Arguments& arguments) {
   const double scale = gen::kUPerEm / project.units_per_em();
   std::vector<std::vector<Point>> polygons;
-  for (const Value& value : arguments.array("strokes")) {
-    for (std::vector<Point>& polygon :
-         polygons_of(parse_stroke(value, scale), kPathFit_u)) {
-      polygons.push_back(std::move(polygon));
-    }
+  for (const SweptStroke& stroke : swept(arguments.array("strokes"), scale)) {
+    polygons.insert(polygons.end(), stroke.polygons.begin(),
+                    stroke.polygons.end());
   }
   const gen::Shape shape(outline_of_polygons(polygons));
   return edited(

@@ -1,14 +1,18 @@
 #include "fit/cubic_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 namespace inkcell::design {
 namespace {
 
 // Points used by least squares.
 constexpr size_t kMostPoints = 32;
+using Numbers = std::array<double, kMostPoints>;
+
+// Added to divisors, which then are not 0.
+constexpr double kTiny = 1e-100;
 
 constexpr int kRounds = 40;
 constexpr int kIdleRounds = 5;
@@ -29,6 +33,30 @@ constexpr double kMissed = 1.5;
 // Points whose distances from the curve are measured at the end.
 constexpr size_t kMostMeasured = 64;
 
+// A cubic as a polynomial of its parameter.
+class PowerForm {
+ public:
+  PowerForm() = default;
+  explicit PowerForm(const gen::Segment& cubic) {
+    const Point* p = cubic.p;
+    c_[0] = p[0];
+    c_[1] = 3 * (p[1] - p[0]);
+    c_[2] = 3 * (p[2] - 2 * p[1] + p[0]);
+    c_[3] = p[3] - p[0] + 3 * (p[1] - p[2]);
+  }
+
+  Point at(double t) const {
+    return c_[0] + t * (c_[1] + t * (c_[2] + t * c_[3]));
+  }
+  Point slope(double t) const {
+    return c_[1] + t * (2 * c_[2] + 3 * t * c_[3]);
+  }
+  Point bend(double t) const { return 2 * c_[2] + 6 * t * c_[3]; }
+
+ private:
+  Point c_[4];
+};
+
 class CubicFit {
  public:
   CubicFit(const Stretch& stretch, double limit)
@@ -37,11 +65,10 @@ class CubicFit {
         std::max<size_t>(1, (stretch.count + kMostPoints - 1) / kMostPoints);
     const size_t last = stretch.count - 1;
     length_ = stretch.lengths[last] - stretch.lengths[0];
-    points_.reserve(kMostPoints);
-    t_.reserve(kMostPoints);
     for (size_t i = step; i < last; i += step) {
-      points_.push_back(stretch.points[i]);
-      t_.push_back((stretch.lengths[i] - stretch.lengths[0]) / length_);
+      x_[count_] = stretch.points[i].x;
+      y_[count_] = stretch.points[i].y;
+      t_[count_++] = (stretch.lengths[i] - stretch.lengths[0]) / length_;
     }
     cubic_.kind = gen::Segment::Kind::cubic;
     cubic_.p[0] = stretch.points[0];
@@ -97,9 +124,9 @@ class CubicFit {
   }
 
   // Weight of an unknown at the parameter t.
-  double weight(int unknown, double t) const {
+  double weight(size_t unknown, double t) const {
     const double s = 1 - t;
-    return second_[unknown] ? 3 * s * t * t : 3 * s * s * t;
+    return 3 * s * t * (second_[unknown] ? t : s);
   }
 
   // Least squares of the distances between points and the curve at their
@@ -108,13 +135,13 @@ class CubicFit {
     const Point& p0 = cubic_.p[0];
     const Point& p3 = cubic_.p[3];
     double m[4][5] = {};
-    for (size_t i = 0; i < points_.size(); ++i) {
+    for (size_t i = 0; i < count_; ++i) {
       const double t = t_[i];
       const double w0 = (1 - t) * (1 - t) * (1 + 2 * t);
-      const Point rest = points_[i] - (w0 * p0 + (1 - w0) * p3);
-      for (int r = 0; r < unknowns_; ++r) {
+      const Point rest = Point{x_[i], y_[i]} - (w0 * p0 + (1 - w0) * p3);
+      for (size_t r = 0; r < unknowns_; ++r) {
         const Point row = weight(r, t) * basis_[r];
-        for (int c = r; c < unknowns_; ++c) {
+        for (size_t c = r; c < unknowns_; ++c) {
           m[r][c] += weight(c, t) * dot(row, basis_[c]);
         }
         m[r][4] += dot(row, rest);
@@ -133,25 +160,18 @@ class CubicFit {
   // slide along it. Needs few rounds.
   void improve() {
     double m[4][5] = {};
-    for (size_t i = 0; i < points_.size(); ++i) {
-      const double t = t_[i];
-      const Point slope = unit(cubic_slope(cubic_, t));
-      const Point normal = {-slope.y, slope.x};
-      const double off = dot(points_[i] - cubic_at(cubic_, t), normal);
-      double row[4];
-      for (int r = 0; r < unknowns_; ++r) {
-        row[r] = weight(r, t) * dot(basis_[r], normal);
-      }
-      for (int r = 0; r < unknowns_; ++r) {
-        for (int c = r; c < unknowns_; ++c) {
-          m[r][c] += row[r] * row[c];
-        }
-        m[r][4] += row[r] * off;
-      }
+    switch (unknowns_) {
+      case 2:
+        add_normal_equations<2>(m);
+        break;
+      case 3:
+        add_normal_equations<3>(m);
+        break;
+      default:
+        add_normal_equations<4>(m);
     }
-    mirror(m);
-    for (int r = 0; r < unknowns_; ++r) {
-      m[r][r] += kDamping * static_cast<double>(points_.size());
+    for (size_t r = 0; r < unknowns_; ++r) {
+      m[r][r] += kDamping * static_cast<double>(count_);
     }
     double step[4] = {};
     if (!eliminate(m, unknowns_, step)) {
@@ -160,13 +180,46 @@ class CubicFit {
     double x[4];
     double share = 1;
     do {
-      for (int r = 0; r < unknowns_; ++r) {
+      for (size_t r = 0; r < unknowns_; ++r) {
         x[r] = handle_[r] + share * step[r];
       }
       share /= 2;
     } while (!usable(x) && share > kLeastStep);
     if (usable(x)) {
       set_handles(x);
+    }
+  }
+
+  // Most of the time of a fit. The first loop has no branches, so that compilers
+  // vectorise it; the second one keeps its sums in registers.
+  template <size_t kUnknowns>
+  void add_normal_equations(double (&m)[4][5]) const {
+    Numbers rows[kUnknowns];
+    Numbers off;
+    Numbers scale;  // 1 / |normal|^2
+    for (size_t i = 0; i < count_; ++i) {
+      const double t = t_[i];
+      const Point slope = power_.slope(t);
+      const Point normal = {-slope.y, slope.x};
+      scale[i] = 1 / (dot(normal, normal) + kTiny);
+      off[i] = dot(Point{x_[i], y_[i]} - power_.at(t), normal);
+      for (size_t r = 0; r < kUnknowns; ++r) {
+        rows[r][i] = weight(r, t) * dot(basis_[r], normal);
+      }
+    }
+    double sum[kUnknowns][kUnknowns + 1] = {};
+    for (size_t i = 0; i < count_; ++i) {
+      for (size_t r = 0; r < kUnknowns; ++r) {
+        const double row = scale[i] * rows[r][i];
+        for (size_t c = 0; c < kUnknowns; ++c) {
+          sum[r][c] += row * rows[c][i];
+        }
+        sum[r][kUnknowns] += row * off[i];
+      }
+    }
+    for (size_t r = 0; r < kUnknowns; ++r) {
+      std::copy(sum[r], sum[r] + kUnknowns, m[r]);
+      m[r][4] = sum[r][kUnknowns];
     }
   }
 
@@ -182,33 +235,34 @@ class CubicFit {
   void set_handles(const double (&x)[4]) {
     cubic_.p[1] = cubic_.p[0];
     cubic_.p[2] = cubic_.p[3];
-    for (int r = 0; r < unknowns_; ++r) {
+    for (size_t r = 0; r < unknowns_; ++r) {
       handle_[r] = x[r];
       Point& handle = cubic_.p[second_[r] ? 2 : 1];
       handle = handle + x[r] * basis_[r];
     }
+    power_ = PowerForm(cubic_);
   }
 
-  static bool eliminate(double (&m)[4][5], int n, double (&x)[4]) {
-    for (int k = 0; k < n; ++k) {
-      int best = k;
-      for (int r = k + 1; r < n; ++r) {
+  static bool eliminate(double (&m)[4][5], size_t n, double (&x)[4]) {
+    for (size_t k = 0; k < n; ++k) {
+      size_t best = k;
+      for (size_t r = k + 1; r < n; ++r) {
         best = std::fabs(m[r][k]) > std::fabs(m[best][k]) ? r : best;
       }
       if (std::fabs(m[best][k]) < 1e-12) {
         return false;
       }
       std::swap(m[k], m[best]);
-      for (int r = k + 1; r < n; ++r) {
+      for (size_t r = k + 1; r < n; ++r) {
         const double f = m[r][k] / m[k][k];
-        for (int c = k; c < 5; ++c) {
+        for (size_t c = k; c < 5; ++c) {
           m[r][c] -= f * m[k][c];
         }
       }
     }
-    for (int k = n - 1; k >= 0; --k) {
+    for (size_t k = n; k-- > 0;) {
       x[k] = m[k][4];
-      for (int c = k + 1; c < n; ++c) {
+      for (size_t c = k + 1; c < n; ++c) {
         x[k] -= m[k][c] * x[c];
       }
       x[k] /= m[k][k];
@@ -239,11 +293,11 @@ class CubicFit {
 
   // The direction of the points at an end.
   Point forwards(bool is_second) const {
-    if (points_.empty()) {
+    if (count_ == 0) {
       return is_second ? cubic_.p[0] - cubic_.p[3] : cubic_.p[3] - cubic_.p[0];
     }
-    return is_second ? points_.back() - cubic_.p[3]
-                     : points_.front() - cubic_.p[0];
+    const size_t i = is_second ? count_ - 1 : 0;
+    return Point{x_[i], y_[i]} - cubic_.p[is_second ? 3 : 0];
   }
 
   void thirds() {
@@ -251,7 +305,7 @@ class CubicFit {
     const Point out = stretch_.begin.value_or(straight);
     const Point back = -1.0 * stretch_.end.value_or(straight);
     double x[4];
-    for (int r = 0; r < unknowns_; ++r) {
+    for (size_t r = 0; r < unknowns_; ++r) {
       x[r] = length_ / 3 * dot(second_[r] ? back : out, basis_[r]);
     }
     set_handles(x);
@@ -259,28 +313,26 @@ class CubicFit {
 
   // Moves the parameters. Returns the largest distance.
   double project() {
-    double worst = 0;
+    Numbers next;
+    for (size_t i = 0; i < count_; ++i) {
+      const double t = t_[i];
+      const Point off = power_.at(t) - Point{x_[i], y_[i]};
+      const Point slope = power_.slope(t);
+      const double down = dot(slope, slope) + dot(off, power_.bend(t));
+      const double step = dot(off, slope) / (std::fabs(down) + kTiny);
+      next[i] = t - (down > 0 ? 1.0 : 0.0) * step;
+    }
     double least = 0;
-    for (size_t i = 0; i < points_.size(); ++i) {
-      double& t = t_[i];
-      const Point off = cubic_at(cubic_, t) - points_[i];
-      const Point d1 = cubic_slope(cubic_, t);
-      const Point d2 = bend(t);
-      const double down = dot(d1, d1) + dot(off, d2);
-      if (down > 0) {
-        t = std::clamp(t - dot(off, d1) / down, least, 1.0);
-      }
-      least = t;
-      const Point left = cubic_at(cubic_, t) - points_[i];
+    for (size_t i = 0; i < count_; ++i) {
+      t_[i] = std::clamp(next[i], least, 1.0);
+      least = t_[i];
+    }
+    double worst = 0;
+    for (size_t i = 0; i < count_; ++i) {
+      const Point left = power_.at(t_[i]) - Point{x_[i], y_[i]};
       worst = std::max(worst, dot(left, left));
     }
     return std::sqrt(worst);
-  }
-
-  Point bend(double t) const {
-    const Point* p = cubic_.p;
-    return 6.0 * ((1 - t) * (p[0] - 2.0 * p[1] + p[2]) +
-                  t * (p[1] - 2.0 * p[2] + p[3]));
   }
 
   // Compares all points with chords of the curve, both in order.
@@ -310,10 +362,13 @@ class CubicFit {
   Stretch stretch_;
   double limit_;
   double length_ = 0;
-  std::vector<Point> points_;  // between the ends
-  std::vector<double> t_;
+  size_t count_ = 0;  // of points between the ends
+  Numbers x_;
+  Numbers y_;
+  Numbers t_;
   gen::Segment cubic_;
-  int unknowns_ = 0;
+  PowerForm power_;  // of cubic_
+  size_t unknowns_ = 0;
   Point basis_[4];
   bool second_[4] = {};    // of the second handle
   double handle_[4] = {};  // the unknowns
