@@ -125,6 +125,70 @@ def check_change_of_paradigm(editor):
     print({what: times[what]["cpu_ms"] for what in times})
 
 
+def check_mixed(editor):
+    """A glyph of contours and strokes keeps both apart, and exports one."""
+    new = "new M.ufo n,o Untitled 1000 800 -200 500 700"
+    arch = ("press 140 400", "move 250 460", "move 400 300", "move 400 0",
+            "release 400 0")
+    drawn, point, knot, moved, undone = editor.run(
+        new, "glyph n", "tool Rectangle", "press 60 0", "move 140 500",
+        "release 140 500", "nib ellipse:80,60,20", "tool Stroke", *arch,
+        "print", "tool Select", "press 140 500", "move 155 520 free",
+        "release 155 520", "print", "press 400 0", "release 400 0",
+        "press 400 0", "move 430 30 free", "release 430 30", "print",
+        "key ctrl+a", "key right", "print", *["key ctrl+z"] * 3, "print")
+    stem, arch_outline = drawn["contours"]
+    expect(drawn["own_contours"] == 1 and len(drawn["strokes"]) == 1 and
+           [p[:2] for p in stem] == [[60, 0], [140, 0], [140, 500], [60, 500]],
+           f"a stroke beside a contour: {drawn['contours']}")
+    expect(point["contours"][0][2][:2] == [155, 520] and
+           point["contours"][1] == arch_outline and
+           point["strokes"] == drawn["strokes"], "a point beside a stroke")
+    expect(knot["strokes"][0]["points"][-1] == [430, 30] and
+           knot["contours"][0] == point["contours"][0] and
+           knot["contours"][1] != arch_outline, "a knot beside a contour")
+    expect(moved["selected"] == 4 + len(moved["strokes"][0]["points"]) and
+           moved["strokes"][0]["points"][-1] == [431, 30] and
+           moved["contours"][0][2][:2] == [156, 520], "both move")
+    expect(undone["contours"] == drawn["contours"] and
+           undone["strokes"] == drawn["strokes"] and
+           undone["own_contours"] == 1, "undo beside a stroke")
+    # More contours, some of them deleted; then the project and a font.
+    more, fewer, united = editor.run(
+        "open M.ufo", "glyph n", "tool Rectangle", "press 300 600",
+        "move 340 640", "release 340 640", "print", "key delete", "print",
+        "save", "export M.ttf", "open M.ttf RM.ufo", "glyph n", "print")
+    expect(more["own_contours"] == 2 and len(more["contours"]) == 3 and
+           more["strokes"] == drawn["strokes"] and more["selected"] == 4,
+           f"a contour beside a stroke: {more['contours']}")
+    expect(fewer["own_contours"] == 1 and
+           fewer["contours"] == drawn["contours"], "deleted beside a stroke")
+    expect(len(united["contours"]) == 1, f"exported: {united['contours']}")
+    opened, outline, back = editor.run(
+        "open M.ufo", "glyph n", "print", "action Turn into outline", "print",
+        "key ctrl+z", "print")
+    expect(opened["contours"] == back["contours"] == drawn["contours"] and
+           opened["own_contours"] == back["own_contours"] == 1, "saved")
+    expect(outline["own_contours"] == 2 and not outline["strokes"] and
+           outline["contours"] == drawn["contours"], "all are contours")
+
+
+def check_snapping(editor):
+    """Knots snap to guides, points and other knots, which they stay off with
+    Ctrl."""
+    guided, free, level = editor.run(
+        "new S.ufo n Untitled 1000 800 -200 500 700", "glyph n",
+        'do {"do": "add_guideline", "x": 300}', "nib ellipse:60,60,0",
+        "tool Stroke", "press 100 400", "move 100 100", "release 100 100",
+        "tool Select", "press 100 100", "release 100 100", "press 100 100",
+        "move 303 140", "release 303 140", "print", "key ctrl+z",
+        "press 100 100", "move 303 140 free", "release 303 140", "print",
+        "press 303 140", "move 250 398", "release 250 398", "print")
+    ends = [stroke_of(report)["points"][1] for report in
+            (guided, free, level)]
+    expect(ends == [[300, 140], [303, 140], [250, 400]], f"snapped: {ends}")
+
+
 def check_sample(editor):
     """The project that shows the three ways to make glyphs."""
     stroke, curves, tree, changed = editor.run(
@@ -147,6 +211,8 @@ def main():
         check_nibs(editor)
         check_corners(editor)
         check_change_of_paradigm(editor)
+        check_mixed(editor)
+        check_snapping(editor)
         check_sample(editor)
     finish()
 

@@ -65,9 +65,17 @@ Change set_strokes(const Project& project, const Arguments& arguments) {
   return edited(
       project, arguments,
       [&](Glyph& glyph) {
-        glyph.contours = fitted(project, arguments, glyph, shape);
-        glyph.lib[kStrokesKey] = arguments.value("strokes");
+        const std::vector<PointContour> outline =
+            fitted(project, arguments, glyph, shape);
+        const size_t own = own_contours(glyph);
+        glyph.contours.resize(own);
+        glyph.contours.insert(glyph.contours.end(), outline.begin(),
+                              outline.end());
         glyph.lib.erase(kTreeKey);
+        glyph.lib[kStrokesKey] = arguments.value("strokes");
+        if (own != 0) {
+          glyph.lib[kOwnContoursKey] = own;
+        }
       },
       true);
 }
@@ -78,8 +86,8 @@ Change set_tree(const Project& project, const Arguments& arguments) {
   return edited(
       project, arguments,
       [&](Glyph& glyph) {
+        drop_source(glyph);
         glyph.lib[kTreeKey] = tree;
-        glyph.lib.erase(kStrokesKey);
       },
       true);
 }
@@ -99,12 +107,22 @@ Change combine_contours(const Project& project, const Arguments& arguments) {
       }
       is_named[index.get<size_t>()] = true;
     }
+    // The outline of strokes only if it is named.
+    const auto own =
+        is_named.begin() + static_cast<std::ptrdiff_t>(own_contours(glyph));
+    const bool names_own =
+        std::find(own, is_named.end(), true) == is_named.end();
+    const size_t count = names_own ? own_contours(glyph) : is_named.size();
     std::vector<PointContour> parts[2];
-    for (size_t i = 0; i < glyph.contours.size(); ++i) {
+    for (size_t i = 0; i < count; ++i) {
       parts[is_named[i] ? 1 : 0].push_back(glyph.contours[i]);
     }
-    glyph.contours =
+    std::vector<PointContour> result =
         in_direction_of(project, glyph, combined(parts[0], parts[1], op));
+    result.insert(result.end(),
+                  glyph.contours.begin() + static_cast<std::ptrdiff_t>(count),
+                  glyph.contours.end());
+    glyph.contours = std::move(result);
   });
 }
 

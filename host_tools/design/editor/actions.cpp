@@ -10,6 +10,7 @@
 #include "editor/parts.hpp"
 #include "editor/strokes.hpp"
 #include "model/error.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -38,12 +39,7 @@ void nudge(Editor& editor, double dx, double dy) {
                 {"matrix", {m.xx, m.xy, m.yx, m.yy, m.dx + dx, m.dy + dy}}});
     return;
   }
-  if (!editor.knots.empty()) {
-    editor.run(move_knots(*editor.glyph(), editor.knots, dx, dy));
-    return;
-  }
-  run_unless_null(editor,
-                  move_selection(*editor.glyph(), editor.selection, dx, dy));
+  run_unless_null(editor, move_selected(editor, {dx, dy}));
 }
 
 void delete_selection(Editor& editor) {
@@ -60,15 +56,11 @@ void delete_selection(Editor& editor) {
     editor.run({{"do", "delete_component"}, {"component", *editor.component}});
     return;
   }
-  if (!editor.knots.empty()) {
-    const Value command = delete_knots(*editor.glyph(), editor.knots);
-    editor.knots.clear();
-    editor.run(command);
-    return;
-  }
-  const Selection selection = editor.selection;
-  editor.selection.clear();
-  run_unless_null(editor, delete_points(*editor.glyph(), selection));
+  const GlyphPointer glyph = editor.glyph();
+  Value command = both(delete_knots(*glyph, editor.knots),
+                       delete_points(*glyph, editor.selection));
+  editor.select_nothing();
+  run_unless_null(editor, std::move(command));
 }
 
 void delete_glyph(Editor& editor) {
@@ -84,12 +76,9 @@ void delete_glyph(Editor& editor) {
 }
 
 void select_all(Editor& editor) {
-  if (has_strokes(*editor.glyph())) {
-    const Point far = {INFINITY, INFINITY};
-    select_knots(editor, {}, {-far.x, -far.y}, far);
-    return;
-  }
-  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
+  const Point far = {INFINITY, INFINITY};
+  select_knots(editor, {}, {-far.x, -far.y}, far);
+  for (size_t c = 0; c < own_contours(*editor.glyph()); ++c) {
     editor.select_contour(c);
   }
 }
@@ -152,7 +141,7 @@ void reverse_selected(Editor& editor) {
 // Combines the selected contours with the others.
 void combine(Editor& editor, const char* operation) {
   Value contours = selected_contours(editor);
-  const size_t all = editor.glyph()->contours.size();
+  const size_t all = own_contours(*editor.glyph());
   if (std::string(operation) != "union" &&
       (contours.empty() || contours.size() == all)) {
     throw Error("select some of the contours; they are combined with the rest");
@@ -162,7 +151,7 @@ void combine(Editor& editor, const char* operation) {
               {"op", operation},
               {"contours", std::move(contours)}});
   editor.message = {std::to_string(all) + " contours became " +
-                    std::to_string(editor.glyph()->contours.size())};
+                    std::to_string(own_contours(*editor.glyph()))};
 }
 
 Action transformed(const char* name, const char* keys, const Value& matrix) {

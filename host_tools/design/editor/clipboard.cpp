@@ -4,6 +4,7 @@
 
 #include "editor/edits.hpp"
 #include "model/error.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -162,7 +163,7 @@ void paste(Editor& editor, const std::string& text, double dx, double dy) {
   const GlyphPointer after = editor.glyph();
   editor.selection.clear();
   editor.component.reset();
-  for (size_t c = before->contours.size(); c < after->contours.size(); ++c) {
+  for (size_t c = own_contours(*before); c < own_contours(*after); ++c) {
     editor.select_contour(c);
   }
   if (editor.selection.empty() &&

@@ -434,7 +434,7 @@ void Editor::drop_lost_selection() {
     return;
   }
   for (auto id = selection.begin(); id != selection.end();) {
-    const bool lost = id->contour >= now->contours.size() ||
+    const bool lost = id->contour >= own_contours(*now) ||
                       id->point >= now->contours[id->contour].points.size();
     id = lost ? selection.erase(id) : std::next(id);
   }

@@ -246,7 +246,7 @@ Value batch(std::vector<Value> commands) {
 
 Value without_source(const Glyph& glyph) {
   std::vector<Value> commands;
-  for (const char* key : {kStrokesKey, kTreeKey}) {
+  for (const char* key : {kStrokesKey, kOwnContoursKey, kTreeKey}) {
     if (glyph.lib.contains(key)) {
       commands.push_back(
           {{"do", "set_glyph_lib"}, {"glyph", glyph.name}, {"key", key}});

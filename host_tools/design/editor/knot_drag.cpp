@@ -63,10 +63,8 @@ std::string nib_text(const Nib& nib) {
 }  // namespace
 
 bool KnotDrag::press(Editor& editor, const Pointer& pointer) {
-  label.reset();
   grip_ = Grip::none;
-  return press_handle(editor, pointer) || press_knot(editor, pointer) ||
-         press_line(editor, pointer);
+  return press_handle(editor, pointer) || press_knot(editor, pointer);
 }
 
 // Nibs have handles where one knot is selected.
@@ -139,27 +137,25 @@ bool KnotDrag::press_line(Editor& editor, const Pointer& pointer) {
   return true;
 }
 
-void KnotDrag::drag(Editor& editor, const Pointer& pointer, Point move) {
-  if (grip_ == Grip::none || editor.knots.count(grabbed_) == 0) {
-    return;  // it was deselected
+std::optional<Point> KnotDrag::knot(const Editor& editor) const {
+  if (grip_ != Grip::knots || editor.knots.count(grabbed_) == 0) {
+    return std::nullopt;
+  }
+  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  return strokes_of(*glyph)[grabbed_.contour].points[grabbed_.point].at;
+}
+
+std::string KnotDrag::drag_nib(Editor& editor, const Pointer& pointer) const {
+  if (editor.knots.count(grabbed_) == 0) {
+    return "";  // it was deselected
   }
   const GlyphPointer glyph = editor.project().find(editor.glyph_name());
   const Stroke stroke = strokes_of(*glyph)[grabbed_.contour];
-  const StrokePoint& knot = stroke.points[grabbed_.point];
-  if (grip_ == Grip::knots) {
-    const Point to = knot.at + move;
-    char text[64];
-    std::snprintf(text, sizeof text, "%g, %g", to.x, to.y);
-    label = {to, text};
-    const bool moves = move.x != 0 || move.y != 0;
-    editor.propose(moves ? move_knots(*glyph, editor.knots, move.x, move.y)
-                         : Value());
-    return;
-  }
-  const Nib nib = with_handle(knot, nibs_of(stroke)[grabbed_.point],
+  const Nib nib = with_handle(stroke.points[grabbed_.point],
+                              nibs_of(stroke)[grabbed_.point],
                               grip_ == Grip::along, pointer.at, pointer.shift);
-  label = {pointer.at, nib_text(nib)};
   editor.propose(set_nib(*glyph, grabbed_, nib));
+  return nib_text(nib);
 }
 
 void select_knots(Editor& editor, const Selection& kept, Point a, Point b) {

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "editor/editor.hpp"
 #include "editor/strokes.hpp"
@@ -13,21 +12,26 @@ namespace inkcell::design::editor {
 /// Selects and drags knots of centre lines, and the handles of nibs.
 class KnotDrag {
  public:
-  /// False if there is nothing to drag near the pointer. A double click makes a
-  /// knot a corner, and adds one to a centre line.
+  /// Presses the handle of a nib, or a knot. False if none is near the pointer.
+  /// A double click makes a knot a corner.
   bool press(Editor& editor, const Pointer& pointer);
-  /// Proposes the change of a pointer that moved by `move`.
-  void drag(Editor& editor, const Pointer& pointer, Point move);
+  /// Presses a centre line; likewise. A double click adds a knot.
+  bool press_line(Editor& editor, const Pointer& pointer);
 
-  /// Where something was dragged to.
-  std::optional<std::pair<Point, std::string>> label;
+  bool is_at_nib() const {
+    return grip_ == Grip::along || grip_ == Grip::across;
+  }
+  /// Proposes the nib of a pointer at its handle. Returns what it says.
+  std::string drag_nib(Editor& editor, const Pointer& pointer) const;
+  /// The place of the pressed knot in the project; nothing if there is none, or
+  /// it was deselected.
+  std::optional<Point> knot(const Editor& editor) const;
 
  private:
   enum class Grip { none, knots, along, across };
 
   bool press_handle(const Editor& editor, const Pointer& pointer);
   bool press_knot(Editor& editor, const Pointer& pointer);
-  bool press_line(Editor& editor, const Pointer& pointer);
 
   Grip grip_ = Grip::none;
   PointId grabbed_;

@@ -6,6 +6,7 @@
 #include "editor/edits.hpp"
 #include "editor/segments.hpp"
 #include "editor/tool.hpp"
+#include "model/sources.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::design::editor {
@@ -170,9 +171,9 @@ class ShapeTool : public LineTool {
   // What was drawn is selected.
   void finish(Editor& editor) override {
     const size_t before =
-        editor.project().find(editor.glyph_name())->contours.size();
+        own_contours(*editor.project().find(editor.glyph_name()));
     editor.commit();
-    if (editor.glyph()->contours.size() > before) {
+    if (own_contours(*editor.glyph()) > before) {
       editor.select_nothing();
       editor.select_contour(before);
     }

@@ -15,7 +15,7 @@ std::vector<Value> drawn_anew(const Glyph& glyph, const Value& command) {
   for (size_t i = glyph.components.size(); i-- > 0;) {
     commands.push_back({{"do", "delete_component"}, {"component", i}});
   }
-  for (const char* key : {kStrokesKey, kTreeKey}) {
+  for (const char* key : {kStrokesKey, kOwnContoursKey, kTreeKey}) {
     commands.push_back({{"do", "set_glyph_lib"}, {"key", key}});
   }
   if (command.contains("unicodes")) {

@@ -5,6 +5,7 @@
 #include "editor/segments.hpp"
 #include "editor/tool.hpp"
 #include "model/commands.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -66,7 +67,7 @@ class PenTool : public Tool {
     }
     is_pressed_ = false;
     const size_t count =
-        editor.project().find(editor.glyph_name())->contours.size();
+        own_contours(*editor.project().find(editor.glyph_name()));
     editor.commit();
     if (is_closing_) {
       contour_.reset();
@@ -123,14 +124,14 @@ class PenTool : public Tool {
   }
 
   static bool adds_point(Editor& editor, const Pointer& pointer) {
-    const GlyphPointer glyph = editor.glyph();
-    const auto place = nearest_on_curve(*glyph, pointer.at, pointer.reach);
-    if (!place || glyph->contours[place->contour].open()) {
+    const Glyph glyph = own_part(*editor.glyph());
+    const auto place = nearest_on_curve(glyph, pointer.at, pointer.reach);
+    if (!place || glyph.contours[place->contour].open()) {
       return false;
     }
-    std::vector<PointContour> contours = glyph->contours;
+    std::vector<PointContour> contours = glyph.contours;
     contours[place->contour] = with_point(contours[place->contour], *place);
-    editor.run(replace_contours(*glyph, contours));
+    editor.run(replace_contours(glyph, contours));
     return true;
   }
 

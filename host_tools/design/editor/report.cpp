@@ -48,6 +48,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
   return {{"glyph", glyph->name},
           {"width", glyph->width},
           {"contours", contours},
+          {"own_contours", own_contours(*glyph)},
           {"components", glyph->components.size()},
           {"guides", guides_value(*glyph)},
           {"picture", glyph->image ? glyph->image->file : ""},

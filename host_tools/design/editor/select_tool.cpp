@@ -8,7 +8,9 @@
 #include "editor/parts.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
+#include "editor/strokes.hpp"
 #include "editor/tool.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -114,35 +116,44 @@ class SelectTool : public Tool {
     levels_.clear();
     label_.reset();
     state_ = State::points;
-    const GlyphPointer glyph = editor.glyph();
-    if (has_tree(*glyph)) {
+    grabbed_.reset();
+    if (has_tree(*editor.glyph())) {
       press_part(editor, pointer);
       return;
     }
-    if (has_strokes(*glyph)) {
-      press_stroke(editor, pointer);
+    // Outlines of strokes have no points; knots are above those of contours.
+    const Glyph own = own_part(*editor.glyph());
+    if (knots_.press(editor, pointer)) {
+      press_knot(editor);
       return;
     }
-    if (const auto hit = point_near(*glyph, pointer)) {
+    if (const auto hit = point_near(own, pointer)) {
       press_point(editor, pointer, *hit);
       return;
     }
+    if (knots_.press_line(editor, pointer)) {
+      press_knot(editor);
+      return;
+    }
+    const auto component = component_at(editor, pointer.at);
     editor.guide.reset();
-    editor.component = component_at(editor, pointer.at);
-    if (const auto edge = nearest_on_curve(*glyph, pointer.at, pointer.reach)) {
+    editor.component = component;
+    if (const auto edge = nearest_on_curve(own, pointer.at, pointer.reach)) {
       press_edge(editor, pointer, *edge);
-    } else if (editor.component) {
-      editor.selection.clear();
+    } else if (component) {
+      editor.select_nothing();
+      editor.component = component;
       state_ = State::component;
-    } else if (const auto guide = guide_near(*glyph, pointer)) {
-      editor.selection.clear();
+    } else if (const auto guide = guide_near(own, pointer)) {
+      editor.select_nothing();
       editor.guide = guide;
       state_ = State::guide;
     } else {
       if (!pointer.shift) {
-        editor.selection.clear();
+        editor.select_nothing();
       }
       kept_ = editor.selection;
+      kept_knots_ = editor.knots;
       end_ = start_;
       state_ = State::box;
     }
@@ -162,9 +173,8 @@ class SelectTool : public Tool {
     label_.reset();
     if (state_ == State::points) {
       drag_points(editor, pointer, {dx, dy}, is_flat);
-    } else if (state_ == State::strokes) {
-      knots_.drag(editor, pointer, {dx, dy});
-      label_ = knots_.label;
+    } else if (state_ == State::nib) {
+      label_ = {pointer.at, knots_.drag_nib(editor, pointer)};
     } else if (state_ == State::part) {
       Matrix move;
       move.dx = dx;
@@ -209,7 +219,7 @@ class SelectTool : public Tool {
   }
 
  private:
-  enum class State { idle, points, part, strokes, component, guide, box };
+  enum class State { idle, points, nib, part, component, guide, box };
 
   void stop() {
     state_ = State::idle;
@@ -231,22 +241,12 @@ class SelectTool : public Tool {
     editor.part = part;
   }
 
-  // Knots of centre lines move, not the points of the outline.
-  void press_stroke(Editor& editor, const Pointer& pointer) {
+  // A knot, or the handle of a nib.
+  void press_knot(Editor& editor) {
+    editor.component.reset();
     editor.guide.reset();
-    if (knots_.press(editor, pointer)) {
-      state_ = State::strokes;
-    } else if (const auto guide = guide_near(*editor.glyph(), pointer)) {
-      editor.select_nothing();
-      editor.guide = guide;
-      state_ = State::guide;
-    } else {
-      if (!pointer.shift) {
-        editor.select_nothing();
-      }
-      kept_ = editor.knots;
-      end_ = start_;
-      state_ = State::box;
+    if (knots_.is_at_nib()) {
+      state_ = State::nib;
     }
   }
 
@@ -264,7 +264,7 @@ class SelectTool : public Tool {
       editor.selection.erase(hit);
     } else {
       if (!pointer.shift && editor.selection.count(hit) == 0) {
-        editor.selection.clear();
+        editor.select_nothing();
       }
       editor.selection.insert(hit);
     }
@@ -275,11 +275,12 @@ class SelectTool : public Tool {
     const GlyphPointer glyph = editor.glyph();
     const auto end = end_of_line(*glyph, edge);
     if (pointer.alt && end) {
-      editor.selection.clear();
+      editor.select_nothing();
       editor.run(curve_line(*glyph, *end));
       state_ = State::idle;
       return;
     }
+    editor.knots.clear();
     if (pointer.twice) {
       editor.select_contour(edge.contour);
     } else {
@@ -297,30 +298,40 @@ class SelectTool : public Tool {
     }
   }
 
+  // The pressed point or knot in the project; nothing if it was deselected.
+  std::optional<Point> pressed(const Editor& editor) const {
+    if (!grabbed_) {
+      return knots_.knot(editor);
+    }
+    if (editor.selection.count(*grabbed_) == 0) {
+      return std::nullopt;
+    }
+    const GlyphPoint& point = editor.project()
+                                  .find(editor.glyph_name())
+                                  ->contours[grabbed_->contour]
+                                  .points[grabbed_->point];
+    return Point{point.x, point.y};
+  }
+
   void drag_points(Editor& editor,
                    const Pointer& pointer,
                    Point move,
                    bool is_flat) {
-    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
-    if (editor.selection.count(grabbed_) == 0) {
-      return;  // it was deselected
+    const auto from = pressed(editor);
+    if (!from) {
+      return;
     }
-    const GlyphPoint& point =
-        glyph->contours[grabbed_.contour].points[grabbed_.point];
-    const Point from = {point.x, point.y};
     const bool moves = move.x != 0 || move.y != 0;
     if (moves && !pointer.free) {
       const Snap snapped =
-          snap(editor, editor.selection, from, move, kSnapPart * pointer.reach,
+          snap(editor, *from, move, kSnapPart * pointer.reach,
                pointer.shift && !is_flat, pointer.shift && is_flat);
       move = {snapped.dx, snapped.dy};
       levels_ = snapped.lines;
     }
-    const Point to = {from.x + move.x, from.y + move.y};
+    const Point to = {from->x + move.x, from->y + move.y};
     label_ = {to, place_text(to.x, to.y)};
-    editor.propose(
-        moves ? move_selection(*glyph, editor.selection, move.x, move.y)
-              : Value());
+    editor.propose(moves ? move_selected(editor, move) : Value());
   }
 
   static Value move_guide(const Editor& editor, double dx, double dy) {
@@ -348,16 +359,13 @@ class SelectTool : public Tool {
   }
 
   void select_box(Editor& editor) const {
-    const GlyphPointer glyph = editor.glyph();
-    if (has_strokes(*glyph)) {
-      select_knots(editor, kept_, start_, end_);
-      return;
-    }
+    const Glyph own = own_part(*editor.glyph());
+    select_knots(editor, kept_knots_, start_, end_);
     editor.selection = kept_;
     const auto [x0, x1] = std::minmax(start_.x, end_.x);
     const auto [y0, y1] = std::minmax(start_.y, end_.y);
-    for (size_t c = 0; c < glyph->contours.size(); ++c) {
-      const std::vector<GlyphPoint>& points = glyph->contours[c].points;
+    for (size_t c = 0; c < own.contours.size(); ++c) {
+      const std::vector<GlyphPoint>& points = own.contours[c].points;
       for (size_t p = 0; p < points.size(); ++p) {
         if (points[p].x >= x0 && points[p].x <= x1 && points[p].y >= y0 &&
             points[p].y <= y1) {
@@ -370,8 +378,9 @@ class SelectTool : public Tool {
   State state_ = State::idle;
   Point start_;
   Point end_;
-  Selection kept_;
-  PointId grabbed_;  // the point under the pointer
+  Selection kept_;  // before the box
+  Selection kept_knots_;
+  std::optional<PointId> grabbed_;  // the point under the pointer, if it is one
   KnotDrag knots_;
   std::vector<std::pair<Point, Point>> levels_;
   std::optional<std::pair<Point, std::string>> label_;

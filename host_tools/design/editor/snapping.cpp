@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "editor/strokes.hpp"
+#include "model/sources.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::design::editor {
@@ -37,17 +39,28 @@ void offer_guides(const Glyph& glyph, Point wanted, Attraction& found) {
   }
 }
 
-void offer_points(const Glyph& glyph,
-                  const Selection& moving,
+// Points and knots that are not selected.
+void offer_points(const Editor& editor,
+                  const Glyph& glyph,
                   Point wanted,
                   Attraction& found) {
-  for (size_t c = 0; c < glyph.contours.size(); ++c) {
+  const auto offer = [&](Point at) {
+    found.x.offer(at.x, wanted.x, at);
+    found.y.offer(at.y, wanted.y, at);
+  };
+  for (size_t c = 0; c < own_contours(glyph); ++c) {
     const std::vector<GlyphPoint>& points = glyph.contours[c].points;
     for (size_t p = 0; p < points.size(); ++p) {
-      if (points[p].on_curve() && moving.count({c, p}) == 0) {
-        const Point at = {points[p].x, points[p].y};
-        found.x.offer(at.x, wanted.x, at);
-        found.y.offer(at.y, wanted.y, at);
+      if (points[p].on_curve() && editor.selection.count({c, p}) == 0) {
+        offer({points[p].x, points[p].y});
+      }
+    }
+  }
+  const std::vector<Stroke> strokes = strokes_of(glyph);
+  for (size_t s = 0; s < strokes.size(); ++s) {
+    for (size_t k = 0; k < strokes[s].points.size(); ++k) {
+      if (editor.knots.count({s, k}) == 0) {
+        offer(strokes[s].points[k].at);
       }
     }
   }
@@ -80,7 +93,6 @@ gen::Segment line_of(const Guideline& guide) {
 }
 
 Snap snap(const Editor& editor,
-          const Selection& moving,
           Point from,
           Point move,
           double reach,
@@ -90,7 +102,7 @@ Snap snap(const Editor& editor,
   const Point wanted = {from.x + move.x, from.y + move.y};
   const Nearest none = {reach, 0, {}, false};
   Attraction found = {none, none};
-  offer_points(*glyph, moving, wanted, found);
+  offer_points(editor, *glyph, wanted, found);
   offer_guides(*glyph, wanted, found);
   for (const Zone& zone : zones_of(editor.project())) {
     found.y.offer(zone.y, wanted.y, {0, zone.y});

@@ -28,10 +28,9 @@ std::vector<Zone> zones_of(const Project& project);
 gen::Segment line_of(const Guideline& guide);
 
 /// The movement nearest to (dx, dy) that puts the dragged point, which was at
-/// `from`, level with something within `reach`. Points of `moving` move along
-/// and attract nothing. `keeps_x` and `keeps_y` fix an axis.
+/// `from`, level with something within `reach`. The selected points and knots
+/// move along and attract nothing. `keeps_x` and `keeps_y` fix an axis.
 Snap snap(const Editor& editor,
-          const Selection& moving,
           Point from,
           Point move,
           double reach,

@@ -1,10 +1,9 @@
 // Freehand strokes of a nib.
 #include <cmath>
 
-#include "editor/edits.hpp"
+#include "editor/editor.hpp"
 #include "editor/tool.hpp"
-#include "model/command_table.hpp"
-#include "model/commands.hpp"
+#include "model/sources.hpp"
 #include "stroke/smooth_path.hpp"
 
 namespace inkcell::design::editor {
@@ -35,13 +34,9 @@ class StrokeTool : public Tool {
   void release(Editor& editor, const Pointer&) override {
     const bool is_drawn = path_.size() > 1;
     path_.clear();
-    const GlyphPointer before = editor.project().find(editor.glyph_name());
     editor.commit();
     if (is_drawn) {
-      editor.message = {keeps_strokes(*before)
-                            ? "Added a stroke; the Select tool moves its knots"
-                            : "Added the outline of a stroke, since the glyph "
-                              "has contours of its own"};
+      editor.message = {"Added a stroke; the Select tool moves its knots"};
     }
   }
 
@@ -59,12 +54,6 @@ class StrokeTool : public Tool {
   }
 
  private:
-  static bool keeps_strokes(const Glyph& glyph) {
-    return glyph.lib.contains(kStrokesKey) || glyph.contours.empty();
-  }
-
-  // A glyph of strokes, or without contours, gets another stroke. Other glyphs
-  // get the outline of the stroke, since strokes would replace their contours.
   Value command(const Editor& editor) const {
     const GlyphPointer glyph = editor.project().find(editor.glyph_name());
     Value points = Value::array();
@@ -79,18 +68,7 @@ class StrokeTool : public Tool {
         {"nib", editor.nib.text()}, {"points", points}, {"smooth", true}};
     Value strokes = glyph->lib.value(kStrokesKey, Value::array());
     strokes.push_back(stroke);
-    const Value command = {{"do", "set_strokes"},
-                           {"glyph", editor.glyph_name()},
-                           {"strokes", strokes}};
-    if (keeps_strokes(*glyph)) {
-      return command;
-    }
-    std::vector<Value> commands;
-    const Change change = change_of(editor.project(), command);
-    for (const PointContour& contour : change.glyphs[0].after->contours) {
-      commands.push_back(add_contour(contour));
-    }
-    return batch(std::move(commands));
+    return {{"do", "set_strokes"}, {"strokes", strokes}};
   }
 
   std::vector<Point> path_;

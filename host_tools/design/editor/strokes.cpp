@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/edits.hpp"
 #include "model/sources.hpp"
 #include "shape/points.hpp"
 
@@ -106,6 +107,19 @@ Value move_knots(const Glyph& glyph,
     point[1] = point[1].get<double>() + dy;
   }
   return with_strokes(std::move(strokes));
+}
+
+Value both(Value a, Value b) {
+  if (a.is_null() || b.is_null()) {
+    return a.is_null() ? b : a;
+  }
+  return batch({std::move(a), std::move(b)});
+}
+
+Value move_selected(const Editor& editor, Point by) {
+  const Glyph& glyph = *editor.project().find(editor.glyph_name());
+  return both(move_knots(glyph, editor.knots, by.x, by.y),
+              move_selection(glyph, editor.selection, by.x, by.y));
 }
 
 Value set_nib(const Glyph& glyph, PointId knot, const Nib& nib) {

@@ -37,6 +37,10 @@ Value move_knots(const Glyph& glyph,
                  const Selection& knots,
                  double dx,
                  double dy);
+/// Moves the selected knots and points.
+Value move_selected(const Editor& editor, Point by);
+/// Both commands as one step; either may be null.
+Value both(Value a, Value b);
 /// The nib of one knot alone: the others keep theirs.
 Value set_nib(const Glyph& glyph, PointId knot, const Nib& nib);
 /// Removes knots, and strokes without any.

@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "component/contour_csg.hpp"
 #include "model/contours.hpp"
+#include "model/sources.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -148,7 +150,12 @@ void add_component(const GlyfComponent& component,
 
 GlyfGlyph glyf_glyph(const Project& project, const Glyph& glyph) {
   GlyfGlyph result;
-  std::vector<PointContour> contours = glyph.contours;
+  const size_t own = own_contours(glyph);
+  std::vector<PointContour> contours =
+      own == 0 || own == glyph.contours.size()
+          ? glyph.contours
+          : in_direction_of(project, glyph,
+                            combined(glyph.contours, {}, "union"));
   for (const ComponentUse& use : glyph.components) {
     append_component(project, 0, use, contours);
   }

@@ -190,8 +190,8 @@ class CubicFit {
     }
   }
 
-  // Most of the time of a fit. The first loop has no branches, so that compilers
-  // vectorise it; the second one keeps its sums in registers.
+  // Most of the time of a fit: compilers unroll the loops over unknowns, whose
+  // count they know, and keep the sums in registers.
   template <size_t kUnknowns>
   void add_normal_equations(double (&m)[4][5]) const {
     Numbers rows[kUnknowns];

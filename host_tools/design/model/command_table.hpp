@@ -52,7 +52,7 @@ Change edited(const Project& project,
   Glyph glyph = *change.before;
   edit(glyph);
   if (!sets_source && !(glyph.contours == change.before->contours)) {
-    drop_source(glyph);
+    settle_source(*change.before, glyph);
   }
   change.after = std::make_shared<const Glyph>(std::move(glyph));
   Change result;

@@ -21,8 +21,10 @@ void erase_at(std::vector<Item>& items, size_t place) {
 Change add_contour(const Project& project, const Arguments& arguments) {
   const PointContour contour = parse_contour(arguments.array("points"));
   return edited(project, arguments, [&](Glyph& glyph) {
-    insert_at(glyph.contours, arguments.place("at", glyph.contours.size()),
-              contour);
+    const size_t at = arguments.has("at")
+                          ? arguments.place("at", glyph.contours.size())
+                          : own_contours(glyph);
+    insert_at(glyph.contours, at, contour);
   });
 }
 

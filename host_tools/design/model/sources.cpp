@@ -1,5 +1,6 @@
 #include "model/sources.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/arguments.hpp"
@@ -69,8 +70,40 @@ bool has_source(const Glyph& glyph) {
 }
 
 void drop_source(Glyph& glyph) {
-  glyph.lib.erase(kStrokesKey);
-  glyph.lib.erase(kTreeKey);
+  for (const char* key : {kStrokesKey, kOwnContoursKey, kTreeKey}) {
+    glyph.lib.erase(key);
+  }
+}
+
+size_t own_contours(const Glyph& glyph) {
+  if (!glyph.lib.contains(kStrokesKey)) {
+    return glyph.contours.size();
+  }
+  // Another program may have written it, or removed contours.
+  const Value count = glyph.lib.value(kOwnContoursKey, Value(0));
+  const int64_t own = count.is_number_integer() ? count.get<int64_t>() : 0;
+  return std::min(static_cast<size_t>(std::max<int64_t>(own, 0)),
+                  glyph.contours.size());
+}
+
+Glyph own_part(const Glyph& glyph) {
+  Glyph own = glyph;
+  own.contours.resize(own_contours(glyph));
+  return own;
+}
+
+void settle_source(const Glyph& before, Glyph& glyph) {
+  const std::vector<PointContour>& old = before.contours;
+  const size_t strokes = old.size() - own_contours(before);
+  const bool keeps_strokes =
+      glyph.lib.contains(kStrokesKey) && strokes <= glyph.contours.size() &&
+      std::equal(old.end() - static_cast<std::ptrdiff_t>(strokes), old.end(),
+                 glyph.contours.end() - static_cast<std::ptrdiff_t>(strokes));
+  if (keeps_strokes) {
+    glyph.lib[kOwnContoursKey] = glyph.contours.size() - strokes;
+  } else {
+    drop_source(glyph);
+  }
 }
 
 void map_leaves(Value& node, const std::function<void(Value&)>& edit) {
@@ -101,7 +134,7 @@ void transform_source(const Matrix& matrix, Glyph& glyph) try {
   const double scale = scale_of(matrix);
   if (glyph.lib.contains(kStrokesKey)) {
     if (scale == 0) {
-      glyph.lib.erase(kStrokesKey);
+      drop_source(glyph);
     } else {
       for (Value& stroke : glyph.lib[kStrokesKey]) {
         map_stroke(matrix, scale, stroke);

@@ -10,10 +10,21 @@ namespace inkcell::design {
 /// Keys of a glyph's lib.
 inline constexpr const char* kStrokesKey = "org.inkcell.strokes";
 inline constexpr const char* kTreeKey = "org.inkcell.tree";
+/// The number of contours beside strokes; they come first. Default 0.
+inline constexpr const char* kOwnContoursKey = "org.inkcell.ownContours";
 
 /// Whether the outline is made of strokes or of a tree.
 bool has_source(const Glyph& glyph);
 void drop_source(Glyph& glyph);
+
+/// The number of contours that are not the outline of strokes.
+size_t own_contours(const Glyph& glyph);
+/// The glyph without the outline of its strokes.
+Glyph own_part(const Glyph& glyph);
+
+/// After an edit of contours: strokes stay if their outline did not change. A
+/// tree goes.
+void settle_source(const Glyph& before, Glyph& glyph);
 
 /// Calls `edit` with each leaf of a tree, in order: { "glyph", "matrix" }.
 void map_leaves(Value& node, const std::function<void(Value&)>& edit);

@@ -112,6 +112,7 @@ Change transform(const Project& project, const Arguments& arguments) {
   return edited(
       project, arguments,
       [&](Glyph& glyph) {
+        const Glyph before = glyph;
         const PointSelection selection =
             is_part ? parse_selection(glyph, arguments) : all_points(glyph);
         const gen::Point centre = centre_of(arguments, glyph, selection);
@@ -129,7 +130,7 @@ Change transform(const Project& project, const Arguments& arguments) {
         }
         if (is_part) {
           if (!selection.empty()) {
-            drop_source(glyph);
+            settle_source(before, glyph);
           }
           return;
         }

@@ -163,12 +163,13 @@ void draw_selection(Editor& editor) {
     ImGui::TextDisabled("Moved by %g, %g", use.matrix.dx, use.matrix.dy);
   } else if (editor.guide) {
     draw_guide(editor, *editor.guide);
-  } else if (editor.knots.size() == 1) {
+  } else if (editor.knots.size() == 1 && editor.selection.empty()) {
     draw_knot(editor, *editor.knots.begin());
   } else if (!editor.knots.empty()) {
-    ImGui::Text("%zu knots are selected", editor.knots.size());
+    ImGui::Text("Selected knots: %zu, points: %zu", editor.knots.size(),
+                editor.selection.size());
     ImGui::TextDisabled("Arrows move them by 1, Shift 10, Ctrl 100");
-  } else if (has_strokes(*editor.glyph())) {
+  } else if (editor.selection.empty() && has_strokes(*editor.glyph())) {
     ImGui::TextDisabled("No knot of a stroke is selected");
   } else if (editor.selection.empty()) {
     ImGui::TextDisabled("No point is selected");

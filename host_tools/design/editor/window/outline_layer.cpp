@@ -294,8 +294,8 @@ void OutlineLayer::handles(size_t contour) const {
 void OutlineLayer::draw_points() const {
   const Selection& selection = panels_.editor.selection;
   const float half = px(3);
-  const bool has_points = !has_source(*glyph_);
-  for (size_t c = 0; has_points && c < glyph_->contours.size(); ++c) {
+  const size_t with_points = has_tree(*glyph_) ? 0 : own_contours(*glyph_);
+  for (size_t c = 0; c < with_points; ++c) {
     handles(c);
     const std::vector<GlyphPoint>& points = glyph_->contours[c].points;
     for (size_t i = 0; i < points.size(); ++i) {
