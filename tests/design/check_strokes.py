@@ -1,9 +1,11 @@
 """Checks glyphs that are made of strokes in inkcell-editor: knots and nibs that
-are dragged, what is kept, the change to curves and back, and the sample.
+are dragged, what is kept, contours beside them, the changes between strokes,
+curves and fields, and the sample.
 
 Usage: check_strokes.py INKCELL_EDITOR
 """
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -125,6 +127,33 @@ def check_change_of_paradigm(editor):
     print({what: times[what]["cpu_ms"] for what in times})
 
 
+def check_field_curves(editor):
+    """The outline goes to a field and back; undo brings the points back."""
+    font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+    before, curves, back, none, asked, agreed = editor.run(
+        f"open {font} F.ufo a,U+20", "glyph a", "print",
+        "action Curves from the field", "print", "key ctrl+z", "print",
+        "glyph space", "try action Curves from the field", "print",
+        "open P.ufo", "glyph n", "try action Curves from the field", "print",
+        "action Turn into outline", "print", "key ctrl+z")
+    said = re.fullmatch(
+        r"Curves from the field: (\d+) points became (\d+), the edge moved by "
+        r"([\d.]+) units at most", curves["message"])
+    counts = [len(points_of(report)) for report in (before, curves)]
+    expect(said and [int(said[1]), int(said[2])] == counts,
+           f"{counts}: {curves['message']}")
+    # The font has 2048 units an em: `roundtrip` finds twice 0.33, and points
+    # are rounded by up to 0.7.
+    expect(said and 0 < float(said[3]) < 1.5, curves["message"])
+    expect(curves["contours"] != before["contours"] == back["contours"],
+           "undo of curves")
+    expect("no closed contours" in none["message"], none["message"])
+    expect("Turn into outline" in asked["message"] and asked["strokes"],
+           asked["message"])
+    expect(not agreed["strokes"] and
+           agreed["contours"] != asked["contours"], "curves of strokes")
+
+
 def check_mixed(editor):
     """A glyph of contours and strokes keeps both apart, and exports one."""
     new = "new M.ufo n,o Untitled 1000 800 -200 500 700"
@@ -211,6 +240,7 @@ def main():
         check_nibs(editor)
         check_corners(editor)
         check_change_of_paradigm(editor)
+        check_field_curves(editor)
         check_mixed(editor)
         check_snapping(editor)
         check_sample(editor)

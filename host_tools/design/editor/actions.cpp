@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "editor/clipboard.hpp"
@@ -11,6 +12,8 @@
 #include "editor/strokes.hpp"
 #include "model/error.hpp"
 #include "model/sources.hpp"
+#include "shape/shape.hpp"
+#include "trace/field_outline.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -154,6 +157,37 @@ void combine(Editor& editor, const char* operation) {
                     std::to_string(own_contours(*editor.glyph()))};
 }
 
+// The glyph's own contours as the generator gets them.
+gen::Shape own_shape(const Editor& editor) {
+  Glyph own = *editor.glyph();
+  own.components.clear();
+  return gen::Shape(outline_of(editor.project(), own));
+}
+
+size_t point_count(const Glyph& glyph) {
+  size_t count = 0;
+  for (const PointContour& contour : glyph.contours) {
+    count += contour.points.size();
+  }
+  return count;
+}
+
+void make_field_curves(Editor& editor) {
+  constexpr double kStep_u = 1;  // between points where edges are compared
+  const gen::Shape before = own_shape(editor);
+  const size_t points = point_count(*editor.glyph());
+  editor.selection.clear();
+  editor.run({{"do", "curves_of_field"}});
+  const double off = edge_error(before, own_shape(editor), kStep_u).worst *
+                     editor.project().units_per_em() / gen::kUPerEm;
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "Curves from the field: %zu points became %zu, the edge moved "
+                "by %.1f units at most",
+                points, point_count(*editor.glyph()), off);
+  editor.message = {text};
+}
+
 Action transformed(const char* name, const char* keys, const Value& matrix) {
   return {name, keys,
           [matrix](Editor& e) { e.run(transform_selection(e, matrix)); }};
@@ -217,6 +251,7 @@ std::vector<Action> make_list() {
        [](Editor& e) {
          e.run({{"do", "to_cubics"}});
        }},
+      {"Curves from the field", "", make_field_curves},
       {"Combine components", "ctrl+shift+u",
        [](Editor& e) { e.run(combine_components(*e.glyph())); }},
       {"Turn into outline", "", [](Editor& e) { e.make_outline(); }},

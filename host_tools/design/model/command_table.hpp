@@ -20,6 +20,7 @@ void add_glyph_commands(CommandTable& table);
 void add_image_commands(CommandTable& table);
 void add_part_commands(CommandTable& table);
 void add_point_commands(CommandTable& table);
+void add_field_commands(CommandTable& table);
 void add_font_commands(CommandTable& table);
 void add_source_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);

@@ -16,6 +16,7 @@ const CommandTable& command_table() {
     add_image_commands(all);
     add_part_commands(all);
     add_point_commands(all);
+    add_field_commands(all);
     add_font_commands(all);
     add_source_commands(all);
     add_transform_commands(all);

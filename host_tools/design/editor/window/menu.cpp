@@ -77,8 +77,8 @@ void draw_menu(Panels& panels) {
     for (const char* name :
          {"Unite", "Subtract", "Intersect", "Exclude", "", "Smooth or corner",
           "Reverse contours", "Round to whole units", "Convert to cubics",
-          "Decompose", "Combine components", "Turn into outline", "",
-          "Next glyph", "Previous glyph"}) {
+          "Curves from the field", "Decompose", "Combine components",
+          "Turn into outline", "", "Next glyph", "Previous glyph"}) {
       item(panels, name);
     }
     ImGui::Separator();
