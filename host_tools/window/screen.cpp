@@ -49,6 +49,20 @@ float display_scale() {
   return std::clamp(std::round(4 * dpi / kNormalDpi) / 4, 1.0f, 4.0f);
 }
 
+// A window of this size; where the desktop has less room, one that fills it.
+SDL_Window* open_window(const char* title, int width, int height) {
+  uint32_t flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+  SDL_Rect room;
+  if (SDL_GetDisplayUsableBounds(0, &room) == 0 &&
+      (room.w < width || room.h < height)) {
+    width = std::min(width, room.w);
+    height = std::min(height, room.h);
+    flags |= SDL_WINDOW_MAXIMIZED;
+  }
+  return SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                          width, height, flags);
+}
+
 // ImGui sees states, once a frame: two changes in one frame would be lost.
 bool needs_frame(const SDL_Event& event) {
   return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP ||
@@ -76,10 +90,7 @@ Screen::Screen(const std::string& title, float scale) {
   const auto side = [scale](int value) {
     return static_cast<int>(static_cast<float>(value) * scale);
   };
-  window_ =
-      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
-                       SDL_WINDOWPOS_CENTERED, side(kWidth), side(kHeight),
-                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  window_ = open_window(title.c_str(), side(kWidth), side(kHeight));
   if (window_ == nullptr) {
     refuse("no window");
   }

@@ -35,6 +35,8 @@ SAMPLE = 676, 398         # the button that opens the sample [px]
 # FreeType rounds points to 1/64 px, 4 on an edge's pixel.
 SIZES_PX = 12, 24, 32, 48
 MOST_OF_255 = 26
+SMALL = 1024, 600         # of a screen [px]
+SMALL_ADVANCE = 765, 405  # the field of the advance on it [px]
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
@@ -303,8 +305,8 @@ class WindowTest(unittest.TestCase):
         for folder in (self.scripted, self.live, self.screen):
             folder.mkdir()
 
-    def start(self, *arguments, scale=1):
-        self.display = Display(self.screen, scale * WIDTH, scale * HEIGHT)
+    def start(self, *arguments, scale=1, size=(WIDTH, HEIGHT)):
+        self.display = Display(self.screen, *(scale * side for side in size))
         self.addCleanup(self.display.close)
         return self.window(*arguments)
 
@@ -449,6 +451,21 @@ class WindowTest(unittest.TestCase):
         window = self.start()
         self.display.send("mousemove", *SAMPLE, "click", 1, "mousemove", *REST)
         window.wait_for(picture(self.scripted / "0.ppm"), "the sample")
+
+    def test_small_screen_has_room_for_all_panels(self):
+        window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS,
+                            size=SMALL)
+        geometry = self.display.geometry("Inkcell")
+        self.assertIn("Position: 0,0 ", geometry)
+        self.assertIn("Geometry: 1024x600", geometry)
+        journal = self.live / "P.ufo.journal"
+        wait(journal.exists, "there is no journal")
+        for event in (("mousemove", *SMALL_ADVANCE), ("keydown", "ctrl"),
+                      ("click", 1), WAIT, ("keyup", "ctrl"), ("type", "1234"),
+                      ("key", "Return")):
+            window.send(*event)
+        wait(lambda: '"width":1234' in journal.read_text(),
+             "the field of the advance is out of reach")
 
     def test_widgets_are_scaled(self):
         run_script(self.scripted, f"open {FONT} P.ufo {CHARS}",

@@ -64,6 +64,13 @@ class Display:
         subprocess.run(["xdotool", *map(str, words)], check=True,
                        env=self.environment, stdout=subprocess.DEVNULL)
 
+    def geometry(self, title):
+        """Place and size of the window of this title, as xdotool prints it."""
+        return subprocess.run(
+            ["xdotool", "search", "--name", title, "getwindowgeometry"],
+            check=True, env=self.environment, text=True,
+            capture_output=True).stdout
+
     def focus(self, title):
         """Gives the keyboard to the window of this title, once it is there."""
         self.send("search", "--sync", "--onlyvisible", "--name", title,

@@ -203,7 +203,9 @@ void Editor::create(const fs::path& folder,
   begin(folder);
   step(order_starts_with_space(this->project()) ? 1 : 0);
   message = {"New font " + folder.filename().string() + " of " +
-             std::to_string(project.front().glyphs.size()) + " glyphs"};
+             std::to_string(project.front().glyphs.size()) +
+             " glyphs: draw this one, then set its advance on the right; Page "
+             "Down shows the next"};
 }
 
 void Editor::open_sample() {

@@ -184,7 +184,8 @@ void draw_files(const Dialog& dialog, std::string& path) {
     }
   }
   std::sort(entries.begin(), entries.end());
-  ImGui::BeginChild("files", {px(520), px(260)}, true);
+  const float height = std::min(px(260), 0.3f * ImGui::GetIO().DisplaySize.y);
+  ImGui::BeginChild("files", {px(520), height}, true);
   if (ImGui::Selectable("..", false, ImGuiSelectableFlags_DontClosePopups)) {
     path =
         (fs::absolute(folder).lexically_normal().parent_path() / "").string();

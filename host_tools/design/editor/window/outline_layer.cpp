@@ -17,9 +17,65 @@ namespace {
 
 constexpr float kHandleReach = 44;  // of the pointer that shows handles
 
+constexpr int kRowsOfPixel = 4;      // whose spans a pixel's coverage adds up
+
 float to_float(double value) {
   return static_cast<float>(value);
 }
+
+ImU32 with_opacity(ImU32 colour, float part) {
+  const ImU32 alpha = (colour >> IM_COL32_A_SHIFT) & 0xff;
+  const auto scaled = static_cast<ImU32>(
+      std::lround(part * static_cast<float>(alpha)));
+  return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);
+}
+
+// The covered parts of a row of pixels, as sums of spans.
+class CoverageRow {
+ public:
+  explicit CoverageRow(size_t pixels) : steps_(pixels + 2) {}
+
+  // Adds `part` between two places, in pixels.
+  void add(double from, double to, float part) {
+    step(from, part);
+    step(to, -part);
+  }
+
+  // Calls draw(from, to, part) for runs of equal pixels that are not empty, and
+  // clears the row.
+  template <typename Draw>
+  void take(const Draw& draw) {
+    constexpr float kLeast = 1.0f / 512;
+    float sum = 0;
+    float part = 0;  // of the run that began at `from`
+    size_t from = 0;
+    for (size_t i = 0; i < steps_.size(); ++i) {
+      sum += steps_[i];
+      steps_[i] = 0;
+      if (std::fabs(sum - part) < kLeast) {
+        continue;
+      }
+      if (part > kLeast) {
+        draw(from, i, std::min(part, 1.0f));
+      }
+      part = sum;
+      from = i;
+    }
+  }
+
+ private:
+  // Pixels right of `at` are covered, its own one on the right of it.
+  void step(double at, float part) {
+    const auto pixels = static_cast<double>(steps_.size() - 2);
+    const double place = std::clamp(at, 0.0, pixels);
+    const auto i = static_cast<size_t>(place);
+    const float beyond = to_float(place - static_cast<double>(i));
+    steps_[i] += part * (1 - beyond);
+    steps_[i + 1] += part * beyond;
+  }
+
+  std::vector<float> steps_;  // of the sum from pixel to pixel
+};
 
 }  // namespace
 
@@ -37,7 +93,8 @@ ImVec2 OutlineLayer::map(double x, double y) const {
 
 void OutlineLayer::draw_zones() const {
   const float right = origin_.x + to_float(view_.width);
-  std::vector<float> labels;  // their heights, which keep apart
+  // The heights of labels, which keep apart, and of the heading.
+  std::vector<float> labels = {origin_.y + px(9) + ImGui::GetFontSize()};
   for (const Zone& zone : zones_of(panels_.editor.project())) {
     const float at = std::round(map(0, zone.y).y);
     list_.AddRectFilled({origin_.x, at}, {right, at + 1},
@@ -142,25 +199,43 @@ void OutlineLayer::draw_background() const {
                      {1, 1}, {0, 1}, colour::ink);
 }
 
-// Row by row, as the union of all contours.
+// Row by row, as the union of all contours, with the covered part of each pixel
+// as its opacity.
 void OutlineLayer::fill(const gen::Shape& shape,
                         double scale,
                         ImU32 colour,
                         double x) const {
+  const auto column = [&](double u) {
+    return view_.to_canvas({x + u / scale, 0}).x;
+  };
+  const gen::Box& box = shape.box();
+  const double left = std::max(0.0, std::floor(column(box.x0)));
+  const double right = std::min(view_.width, column(box.x1));
   const double top =
-      std::max(0.0, view_.to_canvas({0, shape.box().y1 / scale}).y);
+      std::max(0.0, std::floor(view_.to_canvas({0, box.y1 / scale}).y));
   const double bottom =
-      std::min(view_.height, view_.to_canvas({0, shape.box().y0 / scale}).y);
+      std::min(view_.height, view_.to_canvas({0, box.y0 / scale}).y);
+  if (left >= right) {
+    return;
+  }
+  CoverageRow covered(static_cast<size_t>(std::ceil(right - left)));
   std::vector<double> places;
-  for (double row = std::floor(top); row < bottom; ++row) {
-    const double y = view_.to_font({0, row + 0.5}).y;
-    shape.crossings(scale * y, places);
-    for (size_t i = 0; i + 1 < places.size(); i += 2) {
-      const float at = origin_.y + to_float(row);
-      list_.AddRectFilled({map(x + places[i] / scale, 0).x, at},
-                          {map(x + places[i + 1] / scale, 0).x, at + 1},
-                          colour);
+  for (double row = top; row < bottom; ++row) {
+    for (int i = 0; i < kRowsOfPixel; ++i) {
+      const double y = row + (i + 0.5) / kRowsOfPixel;
+      shape.crossings(scale * view_.to_font({0, y}).y, places);
+      for (size_t k = 0; k + 1 < places.size(); k += 2) {
+        covered.add(column(places[k]) - left, column(places[k + 1]) - left,
+                    1.0f / kRowsOfPixel);
+      }
     }
+    const float at = origin_.y + to_float(row);
+    covered.take([&](size_t from, size_t to, float part) {
+      const float start = origin_.x + to_float(left);
+      list_.AddRectFilled({start + static_cast<float>(from), at},
+                          {start + static_cast<float>(to), at + 1},
+                          with_opacity(colour, part));
+    });
   }
 }
 

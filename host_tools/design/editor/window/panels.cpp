@@ -1,13 +1,29 @@
 #include "editor/window/panels.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace inkcell::design::editor {
 namespace {
 
 constexpr float kToolbarWidth = 52;
-constexpr float kGridWidth = 232;
-constexpr float kSideWidth = 372;
 constexpr float kStatusHeight = 30;
-constexpr float kInspectorHeight = 292;
+
+// The side of a panel: a share of the window's, so that small windows keep room
+// for the canvas.
+struct PanelSide {
+  float share;
+  float least;
+  float most;
+
+  float of(float window) const {
+    return std::clamp(std::round(share * window), px(least), px(most));
+  }
+};
+
+constexpr PanelSide kGridWidth = {0.165f, 132, 232};
+constexpr PanelSide kSideWidth = {0.26f, 318, 372};
+constexpr PanelSide kInspectorHeight = {0.38f, 160, 292};
 
 void draw_message(const Message& message) {
   if (!message.is_problem) {
@@ -32,10 +48,10 @@ void draw_window(Panels& panels) {
   const float top = ImGui::GetFrameHeight();
   const float bottom = all.y - px(kStatusHeight);
   const float middle = bottom - top;
-  const float side = px(kSideWidth);
+  const float side = kSideWidth.of(all.x);
   const float tools = px(kToolbarWidth);
-  const float grid = px(kGridWidth);
-  const float inspector = px(kInspectorHeight);
+  const float grid = kGridWidth.of(all.x);
+  const float inspector = kInspectorHeight.of(middle);
   panel(
       "Tools", {0, top}, {tools, middle}, [&] { draw_toolbar(panels); },
       ImGuiWindowFlags_NoScrollbar);
@@ -76,6 +92,9 @@ void draw_status(Panels& panels) {
   const char* hint = "";
   for (const ToolInfo& tool : tool_list()) {
     hint = tool.kind == editor.tool_kind() ? tool.hint : hint;
+  }
+  if (editor.tool_kind() == ToolKind::select && is_undrawn(*editor.glyph())) {
+    hint = "Empty: draw with P pen, R rectangle, O ellipse or B stroke";
   }
   const float at =
       ImGui::GetWindowWidth() - ImGui::CalcTextSize(hint).x - px(14);
