@@ -157,7 +157,7 @@ void paste(Editor& editor, const std::string& text, double dx, double dy) {
   } catch (const Value::exception&) {
     refuse();
   }
-  const GlyphPointer before = editor.project().find(editor.glyph_name());
+  const GlyphPointer before = editor.stored();
   editor.tool().cancel(editor);
   editor.run(command);
   const GlyphPointer after = editor.glyph();

@@ -7,6 +7,7 @@
 #include "app/output.hpp"
 #include "editor/edits.hpp"
 #include "editor/glyph_set.hpp"
+#include "editor/masters.hpp"
 #include "editor/parts.hpp"
 #include "editor/sample.hpp"
 #include "editor/spacing.hpp"
@@ -39,6 +40,13 @@ void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
   file.commit();
 }
 
+// Commands on glyphs of the default layer alone.
+bool is_for_all_masters(const Value& command) {
+  const std::string name = command.value("do", "");
+  return name == "add_glyph" || name == "delete_glyph" ||
+         name == "rename_glyph" || name == "set_unicodes";
+}
+
 bool needs_glyph(const Value& command) {
   const std::string name = command.value("do", "");
   return name != "batch" && !command.contains("glyph") &&
@@ -52,9 +60,8 @@ std::vector<std::string> losing_source(const Change& change) {
   std::vector<std::string> names;
   for (const GlyphChange& entry : change.glyphs) {
     for (const char* key : {kStrokesKey, kTreeKey}) {
-      if (entry.layer == 0 && entry.before != nullptr &&
-          entry.after != nullptr && entry.before->lib.contains(key) &&
-          !entry.after->lib.contains(key)) {
+      if (entry.before != nullptr && entry.after != nullptr &&
+          entry.before->lib.contains(key) && !entry.after->lib.contains(key)) {
         names.push_back(entry.name);
       }
     }
@@ -108,13 +115,28 @@ std::string import_project(const fs::path& font,
 
 }  // namespace
 
-Value for_glyph(const std::string& glyph, Value command) {
+Value in_master(const Editor& editor,
+                const std::string& glyph,
+                Value command) {
+  command["glyph"] = glyph;
+  const size_t master = editor.master(glyph);
+  if (master != 0) {
+    command["layer"] = editor.project().layers[master].name;
+  }
+  return command;
+}
+
+Value for_glyph(const Editor& editor, Value command) {
   if (needs_glyph(command)) {
-    command["glyph"] = glyph;
+    if (is_for_all_masters(command)) {
+      command["glyph"] = editor.glyph_name();
+    } else {
+      command = in_master(editor, editor.glyph_name(), std::move(command));
+    }
   }
   if (command.contains("commands")) {
     for (Value& part : command["commands"]) {
-      part = for_glyph(glyph, part);
+      part = for_glyph(editor, part);
     }
   }
   return command;
@@ -164,6 +186,7 @@ void Editor::begin(const fs::path& folder) {
   session_ = std::make_unique<Session>(folder);
   propose(nullptr);
   glyph_.clear();
+  layer_ = 0;
   const size_t recovered = session_->recovery().commands;
   message = {recovered == 0 ? "Opened " + folder.filename().string()
                             : "Recovered " + std::to_string(recovered) +
@@ -270,10 +293,15 @@ void Editor::export_to(const fs::path& file) {
 }
 
 bool Editor::is_changed(const std::string& glyph) const {
-  const GlyphPointer now = project().find(glyph);
-  const GlyphPointer saved = session_->files().project.find(glyph);
-  return now != saved &&
-         (now == nullptr || saved == nullptr || !(*now == *saved));
+  for (size_t i = 0; i < project().layers.size(); ++i) {
+    const GlyphPointer now = project().find(glyph, i);
+    const GlyphPointer saved = session_->files().project.find(glyph, i);
+    if (now != saved &&
+        (now == nullptr || saved == nullptr || !(*now == *saved))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void Editor::show(const std::string& glyph) {
@@ -297,7 +325,8 @@ void Editor::show(const std::string& glyph) {
   }
   tool_->cancel(*this);
   glyph_ = name;
-  had_source_ = has_source(*project().find(name));
+  part_between = 0;
+  had_source_ = has_source(*stored());
   select_nothing();
   if (tool_kind_ != ToolKind::spacing) {  // the line of text is shown
     fit_view();
@@ -318,7 +347,7 @@ GlyphPointer Editor::glyph() const {
   if (proposal_ && proposal_->glyph != nullptr) {
     return proposal_->glyph;
   }
-  return is_open() ? project().find(glyph_) : nullptr;
+  return is_open() ? stored() : nullptr;
 }
 
 Project Editor::shown_project() const {
@@ -326,11 +355,16 @@ Project Editor::shown_project() const {
   if (proposal_) {
     shown.apply(proposal_->change);
   }
+  if (master() != 0) {
+    const auto others = shown.front().glyphs;
+    shown.front().glyphs = shown.layers[master()].glyphs;
+    shown.front().glyphs.insert(others.begin(), others.end());
+  }
   return shown;
 }
 
 void Editor::run(Value command) {
-  command = for_glyph(glyph_, std::move(command));
+  command = for_glyph(*this, std::move(command));
   tool_->interrupt(*this);
   Change change = change_of(project(), command);
   ask_before_loss(command, change);
@@ -346,10 +380,10 @@ void Editor::propose(Value command) {
   if (command.is_null()) {
     return;
   }
-  command = for_glyph(glyph_, std::move(command));
+  command = for_glyph(*this, std::move(command));
   Proposal proposal = {command, change_of(project(), command), nullptr};
   for (const GlyphChange& change : proposal.change.glyphs) {
-    if (change.layer == 0 && change.name == glyph_) {
+    if (change.layer == master() && change.name == glyph_) {
       proposal.glyph = change.after;
     }
   }
@@ -385,9 +419,9 @@ void Editor::make_outline() {
     names = losing_source(change_of(project(), *next));
   }
   for (const std::string& name : names) {
-    Value command = without_source(*project().glyph(name));
-    if (!command.is_null()) {
-      commands.push_back(std::move(command));
+    for (Value& command :
+         without_source(*project().glyph(name, master(name)))) {
+      commands.push_back(in_master(*this, name, std::move(command)));
     }
   }
   if (next) {
@@ -420,7 +454,7 @@ void Editor::follow_change() {
   if (message.is_problem) {
     message = {};
   }
-  const GlyphPointer now = project().find(glyph_);
+  const GlyphPointer now = stored();
   if (had_source_ && now != nullptr && !has_source(*now)) {
     message = {"The glyph is an outline now; undo brings its source back"};
   }
@@ -430,7 +464,7 @@ void Editor::follow_change() {
 
 // Deselects points and glyphs that a change has removed.
 void Editor::drop_lost_selection() {
-  const GlyphPointer now = project().find(glyph_);
+  const GlyphPointer now = stored();
   if (now == nullptr) {
     select_nothing();
     return;
@@ -506,7 +540,11 @@ void Editor::fit_view() {
 }
 
 PreviewJob Editor::preview_job() const {
-  return make_job(shown_project(), glyph_, preview);
+  Project shown = shown_project();
+  if (const auto mixed = glyph_between()) {
+    shown.front().glyphs[glyph_] = std::make_shared<const Glyph>(*mixed);
+  }
+  return make_job(shown, glyph_, preview);
 }
 
 }  // namespace inkcell::design::editor

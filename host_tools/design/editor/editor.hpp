@@ -68,8 +68,13 @@ struct Clipboard {
   std::function<void(const std::string&)> write;
 };
 
-/// A command on the glyph unless it names one, and so for each of a batch.
-Value for_glyph(const std::string& glyph, Value command);
+class Editor;
+
+/// A command on a glyph of the edited master.
+Value in_master(const Editor& editor, const std::string& glyph, Value command);
+/// A command on the shown glyph, unless it names one, and so for each of a
+/// batch.
+Value for_glyph(const Editor& editor, Value command);
 
 class Editor {
  public:
@@ -119,8 +124,23 @@ class Editor {
   const std::string& glyph_name() const { return glyph_; }
   /// With the proposed change; null if no glyph is shown.
   GlyphPointer glyph() const;
-  /// The project with the proposed change, for previews.
+  /// Without it; only if a glyph is shown.
+  GlyphPointer stored() const { return project().find(glyph_, master()); }
+  /// The project with the proposed change, for previews; its default layer has
+  /// the glyphs of the edited master.
   Project shown_project() const;
+
+  /// The layer that is edited; the default one if the chosen one lacks the
+  /// glyph.
+  size_t master(const std::string& glyph) const;
+  size_t master() const { return master(glyph_); }
+  void choose_master(size_t layer);
+  /// Saves the project with another master, a layer with the glyphs of the
+  /// default one, which is edited from now on. Throws Error.
+  void add_master(const std::string& name);
+  /// The glyph at `part_between`; nothing at 0, and if the masters do not
+  /// correspond.
+  std::optional<Glyph> glyph_between() const;
 
   /// Runs a command on the shown glyph; "glyph" is filled in. Ends a press of
   /// the pointer. Throws Error, and sets `pending` if strokes or a tree would
@@ -160,6 +180,7 @@ class Editor {
   NibSettings nib;
   PreviewSettings preview;
   bool dark_theme = false;
+  double part_between = 0;  // the way to the other master, 0..1, of previews
   bool shows_layers = true;  // other layers, behind the default one
   Message message;
 
@@ -178,6 +199,7 @@ class Editor {
 
   std::unique_ptr<Session> session_;
   std::string glyph_;
+  size_t layer_ = 0;  // the chosen master
   bool had_source_ = false;  // strokes or a tree, before the last change
   std::optional<Proposal> proposal_;
   ToolKind tool_kind_ = ToolKind::select;

@@ -244,15 +244,14 @@ Value batch(std::vector<Value> commands) {
   return {{"do", "batch"}, {"commands", std::move(commands)}};
 }
 
-Value without_source(const Glyph& glyph) {
+std::vector<Value> without_source(const Glyph& glyph) {
   std::vector<Value> commands;
   for (const char* key : {kStrokesKey, kOwnContoursKey, kTreeKey}) {
     if (glyph.lib.contains(key)) {
-      commands.push_back(
-          {{"do", "set_glyph_lib"}, {"glyph", glyph.name}, {"key", key}});
+      commands.push_back({{"do", "set_glyph_lib"}, {"key", key}});
     }
   }
-  return commands.empty() ? Value() : batch(std::move(commands));
+  return commands;
 }
 
 Value move_selection(const Glyph& glyph,
@@ -360,7 +359,7 @@ Value align_points(const Glyph& glyph, const Selection& selection) {
 
 Value transform_selection(const Editor& editor, const Value& matrix) {
   const Project& project = editor.project();
-  const GlyphPointer glyph = project.find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   Value command = {{"do", "transform"}, {"matrix", matrix}};
   if (editor.component || editor.part) {
     Glyph alone;
@@ -481,7 +480,7 @@ Value add_contour(const PointContour& contour) {
 Value draw_contour(const Editor& editor, const PointContour& contour) {
   const Project& project = editor.project();
   return add_contour(
-      in_direction_of(project, *project.find(editor.glyph_name()), {contour})
+      in_direction_of(project, *editor.stored(), {contour})
           .front());
 }
 

@@ -10,8 +10,8 @@ namespace inkcell::design::editor {
 /// Several commands as one step.
 Value batch(std::vector<Value> commands);
 
-/// Lets go of the strokes or the tree of a glyph. Null if it has none.
-Value without_source(const Glyph& glyph);
+/// Let go of the strokes or the tree of a glyph.
+std::vector<Value> without_source(const Glyph& glyph);
 
 /// Moves the selected points. Their handles move with them; the handle of a
 /// quadratic moves along the tangent at its other end if that is smooth. If a

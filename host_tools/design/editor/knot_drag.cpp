@@ -141,7 +141,7 @@ std::optional<Point> KnotDrag::knot(const Editor& editor) const {
   if (grip_ != Grip::knots || editor.knots.count(grabbed_) == 0) {
     return std::nullopt;
   }
-  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   return strokes_of(*glyph)[grabbed_.contour].points[grabbed_.point].at;
 }
 
@@ -149,7 +149,7 @@ std::string KnotDrag::drag_nib(Editor& editor, const Pointer& pointer) const {
   if (editor.knots.count(grabbed_) == 0) {
     return "";  // it was deselected
   }
-  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   const Stroke stroke = strokes_of(*glyph)[grabbed_.contour];
   const Nib nib = with_handle(stroke.points[grabbed_.point],
                               nibs_of(stroke)[grabbed_.point],

@@ -72,7 +72,7 @@ void measure_knots(Editor& editor,
                    int runs,
                    const Preview& first,
                    Latencies& result) {
-  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   const Nib nib = nibs_of(strokes_of(*glyph).at(0)).at(0);
   const auto show = [&](const Value& command) {
     editor.propose(command);
@@ -136,13 +136,13 @@ Latencies measure_latencies(Editor& editor, int runs) {
     const ShapeField field(shape(), target);
     draw_exact_preview(first, editor.preview_job());
   });
-  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   if (has_strokes(*glyph)) {
     measure_knots(editor, runs, first, result);
   }
   if (has_source(*glyph)) {
     result.to_outline = time_of(runs, [&](int) {
-      editor.propose(without_source(*glyph));
+      editor.propose(batch(without_source(*glyph)));
       draw_exact_preview(first, editor.preview_job());
     });
     result.back = time_of(runs, [&](int) {

@@ -31,7 +31,7 @@ std::vector<PointContour> all_contours(const Editor& editor) {
   const GlyphPointer glyph = editor.glyph();
   std::vector<PointContour> contours = glyph->contours;
   for (const ComponentUse& use : glyph->components) {
-    append_component(editor.project(), 0, use, contours);
+    append_component(editor.shown_project(), 0, use, contours);
   }
   return contours;
 }
@@ -171,7 +171,7 @@ class ShapeTool : public LineTool {
   // What was drawn is selected.
   void finish(Editor& editor) override {
     const size_t before =
-        own_contours(*editor.project().find(editor.glyph_name()));
+        own_contours(*editor.stored());
     editor.commit();
     if (own_contours(*editor.glyph()) > before) {
       editor.select_nothing();

@@ -67,7 +67,7 @@ class PenTool : public Tool {
     }
     is_pressed_ = false;
     const size_t count =
-        own_contours(*editor.project().find(editor.glyph_name()));
+        own_contours(*editor.stored());
     editor.commit();
     if (is_closing_) {
       contour_.reset();
@@ -145,9 +145,9 @@ class PenTool : public Tool {
   // A contour that is closed gets the direction of the others.
   Value turn_over(const Editor& editor, const Value& closing) const {
     const Change change =
-        change_of(editor.project(), for_glyph(editor.glyph_name(), closing));
+        change_of(editor.project(), for_glyph(editor, closing));
     const Glyph& closed = *change.glyphs[0].after;
-    const GlyphPointer before = editor.project().find(editor.glyph_name());
+    const GlyphPointer before = editor.stored();
     const bool is_wrong = (twice_area(closed.contours[*contour_]) < 0) !=
                           is_clockwise(editor.project(), *before);
     const Value turn = {{"do", "reverse_contour"}, {"contour", *contour_}};
@@ -155,7 +155,7 @@ class PenTool : public Tool {
   }
 
   Value command(const Editor& editor) const {
-    const Glyph& glyph = *editor.project().find(editor.glyph_name());
+    const Glyph& glyph = *editor.stored();
     if (!contour_) {
       return {{"do", "add_contour"},
               {"points", Value::array({Value{at_.x, at_.y, "move"}})}};

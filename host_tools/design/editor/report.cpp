@@ -1,5 +1,6 @@
 #include "editor/report.hpp"
 
+#include "editor/masters.hpp"
 #include "model/contours.hpp"
 #include "model/sources.hpp"
 
@@ -29,6 +30,16 @@ Value guides_value(const Glyph& glyph) {
     guides.push_back(guide);
   }
   return guides;
+}
+
+// What the window says of the other master; null if there is none.
+Value mismatches_value(const Editor& editor) {
+  const auto other = other_master(editor);
+  return other ? Value(mismatches(
+                     *editor.glyph(),
+                     *editor.project().find(editor.glyph_name(), *other),
+                     master_name(editor.project(), *other)))
+               : Value();
 }
 
 Value latency_value(const Latency& latency) {
@@ -62,6 +73,8 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"undrawn", preview.undrawn},
           {"worst_error", preview.worst_error},
           {"cells", preview.cells.size()},
+          {"master", master_name(editor.project(), editor.master())},
+          {"mismatches", mismatches_value(editor)},
           {"message", editor.message.text}};
 }
 

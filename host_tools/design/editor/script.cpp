@@ -11,6 +11,7 @@
 #include "editor/glyph_set.hpp"
 #include "editor/latency.hpp"
 #include "editor/lua_run.hpp"
+#include "editor/masters.hpp"
 #include "editor/report.hpp"
 #include "import/image_import.hpp"
 #include "model/error.hpp"
@@ -132,6 +133,17 @@ void set_tool(const Line& line) {
   throw Error("tool '" + line.words[0] + "' is not known");
 }
 
+void choose_master(const Line& line) {
+  const Project& project = line.editor.project();
+  for (size_t i = 0; i < project.layers.size(); ++i) {
+    if (master_name(project, i) == line.rest) {
+      line.editor.choose_master(i);
+      return;
+    }
+  }
+  throw Error("master '" + line.rest + "': the project has no such layer");
+}
+
 void set_preview(const Line& line) {
   PreviewSettings& settings = line.editor.preview;
   settings.glyph_px = number(line, 0);
@@ -240,6 +252,15 @@ const std::vector<Command>& command_list() {
        true},
       {{"save_as", "P.ufo", "save as another project"},
        [](const Line& l) { l.editor.save_as(word(l, 0)); },
+       true},
+      {{"add_master", "NAME", "save the project with another master"},
+       [](const Line& l) { l.editor.add_master(l.rest); },
+       true},
+      {{"master", "NAME", "edit a master, by the name of its layer"},
+       choose_master,
+       true},
+      {{"between", "PART", "show the glyph between the masters, 0 to 1"},
+       [](const Line& l) { l.editor.part_between = number(l, 0); },
        true},
       {{"glyph", "NAME", "show a glyph, by its name or character"},
        [](const Line& l) { l.editor.show(word(l, 0)); },

@@ -81,7 +81,8 @@ std::optional<size_t> component_at(const Editor& editor, Point at) {
   const GlyphPointer glyph = editor.glyph();
   for (size_t i = glyph->components.size(); i-- > 0;) {
     Glyph part;
-    append_component(editor.project(), 0, glyph->components[i], part.contours);
+    append_component(editor.shown_project(), 0, glyph->components[i],
+                     part.contours);
     if (is_inside(part.contours, at)) {
       return i;
     }
@@ -179,14 +180,14 @@ class SelectTool : public Tool {
       Matrix move;
       move.dx = dx;
       move.dy = dy;
-      editor.propose(map_part(*editor.project().find(editor.glyph_name()),
+      editor.propose(map_part(*editor.stored(),
                               *editor.part, move));
     } else if (state_ == State::component) {
       const bool moves = dx != 0 || dy != 0;
       editor.propose(moves ? move_component(editor, dx, dy) : Value());
     } else if (state_ == State::guide) {
       const Guideline& line =
-          editor.project().find(editor.glyph_name())->guidelines[*editor.guide];
+          editor.stored()->guidelines[*editor.guide];
       label_ = {pointer.at,
                 place_text(line.x.value_or(0) + dx, line.y.value_or(0) + dy)};
       editor.propose(move_guide(editor, dx, dy));
@@ -306,8 +307,7 @@ class SelectTool : public Tool {
     if (editor.selection.count(*grabbed_) == 0) {
       return std::nullopt;
     }
-    const GlyphPoint& point = editor.project()
-                                  .find(editor.glyph_name())
+    const GlyphPoint& point = editor.stored()
                                   ->contours[grabbed_->contour]
                                   .points[grabbed_->point];
     return Point{point.x, point.y};
@@ -335,7 +335,7 @@ class SelectTool : public Tool {
   }
 
   static Value move_guide(const Editor& editor, double dx, double dy) {
-    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    const GlyphPointer glyph = editor.stored();
     const Guideline& line = glyph->guidelines[*editor.guide];
     Value command = {{"do", "set_guideline"}, {"guideline", *editor.guide}};
     if (line.x) {
@@ -351,7 +351,7 @@ class SelectTool : public Tool {
   }
 
   static Value move_component(const Editor& editor, double dx, double dy) {
-    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    const GlyphPointer glyph = editor.stored();
     const Matrix& m = glyph->components[*editor.component].matrix;
     return {{"do", "set_component"},
             {"component", *editor.component},

@@ -98,7 +98,7 @@ Snap snap(const Editor& editor,
           double reach,
           bool keeps_x,
           bool keeps_y) {
-  const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+  const GlyphPointer glyph = editor.stored();
   const Point wanted = {from.x + move.x, from.y + move.y};
   const Nearest none = {reach, 0, {}, false};
   Attraction found = {none, none};

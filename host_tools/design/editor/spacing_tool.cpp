@@ -92,15 +92,16 @@ class SpacingTool : public Tool {
       }
       return set_kern(project, before_, name_, kern_ + dx, alt);
     }
-    const GlyphPointer glyph = project.find(name_);
-    const auto now = bearings_of(project, *glyph);
+    const size_t master = editor.master(name_);
+    const GlyphPointer glyph = project.find(name_, master);
+    const auto now = bearings_of(project, *glyph, master);
     if (!now) {
       const double sign = part_ == Part::left ? -1 : 1;
-      return {{"do", "set_advance"},
-              {"glyph", name_},
-              {"width", std::max(0.0, glyph->width + sign * dx)}};
+      return in_master(editor, name_,
+                       {{"do", "set_advance"},
+                        {"width", std::max(0.0, glyph->width + sign * dx)}});
     }
-    Value command = {{"do", "set_bearings"}, {"glyph", name_}};
+    Value command = in_master(editor, name_, {{"do", "set_bearings"}});
     if (part_ == Part::left) {
       command["left"] = now->left - dx;
     } else {

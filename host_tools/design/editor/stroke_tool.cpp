@@ -55,7 +55,7 @@ class StrokeTool : public Tool {
 
  private:
   Value command(const Editor& editor) const {
-    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    const GlyphPointer glyph = editor.stored();
     Value points = Value::array();
     for (const StrokePoint& knot : knots_of(path_, kLoosePart * reach_)) {
       Value point = {knot.at.x, knot.at.y};

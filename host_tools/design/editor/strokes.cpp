@@ -117,7 +117,7 @@ Value both(Value a, Value b) {
 }
 
 Value move_selected(const Editor& editor, Point by) {
-  const Glyph& glyph = *editor.project().find(editor.glyph_name());
+  const Glyph& glyph = *editor.stored();
   return both(move_knots(glyph, editor.knots, by.x, by.y),
               move_selection(glyph, editor.selection, by.x, by.y));
 }

@@ -129,6 +129,15 @@ const std::vector<Dialog>& dialog_list() {
            editor.run(std::move(command));
          }
        }},
+      {"Add master",
+       "A layer with the same glyphs, such as Bold; the project is saved",
+       "Add",
+       {},
+       {},
+       [](const Editor&) { return Values{"Bold"}; },
+       [](Panels& panels, const Values& values) {
+         panels.editor.add_master(values[0]);
+       }},
       {"Add component",
        "The name of the glyph to put into this one",
        "Add",

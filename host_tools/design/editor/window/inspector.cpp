@@ -6,6 +6,7 @@
 
 #include "editor/actions.hpp"
 #include "editor/edits.hpp"
+#include "editor/masters.hpp"
 #include "editor/parts.hpp"
 #include "editor/spacing.hpp"
 #include "editor/strokes.hpp"
@@ -237,6 +238,49 @@ void draw_picture(Editor& editor) {
   });
 }
 
+// The master that is edited, what does not correspond in the other one, and how
+// far the preview goes towards that.
+void draw_masters(Editor& editor) {
+  const Project& project = editor.project();
+  const size_t shown = editor.master();
+  ImGui::TextDisabled("Master");
+  ImGui::SetNextItemWidth(px(kField));
+  if (ImGui::BeginCombo("##master", master_name(project, shown).c_str())) {
+    for (size_t i = 0; i < project.layers.size(); ++i) {
+      if (project.find(editor.glyph_name(), i) != nullptr &&
+          ImGui::Selectable(master_name(project, i).c_str(), i == shown)) {
+        editor.choose_master(i);
+      }
+    }
+    ImGui::EndCombo();
+  }
+  const auto other = other_master(editor);
+  if (!other) {
+    return;
+  }
+  const std::string name = master_name(project, *other);
+  const std::vector<std::string> wrong =
+      mismatches(*editor.glyph(), *project.find(editor.glyph_name(), *other),
+                 name);
+  if (wrong.empty()) {
+    ImGui::SameLine(0, px(18));
+    auto part = static_cast<float>(100 * editor.part_between);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::SliderFloat("##between", &part, 0, 100,
+                           ("%.0f %% to " + name).c_str(),
+                           ImGuiSliderFlags_AlwaysClamp)) {
+      editor.part_between = static_cast<double>(part) / 100;
+    }
+    tooltip("Shows a glyph between the masters");
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
+  for (const std::string& text : wrong) {
+    ImGui::TextWrapped("%s", text.c_str());
+  }
+  ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 void draw_inspector(Panels& panels) {
@@ -247,6 +291,10 @@ void draw_inspector(Panels& panels) {
   ImGui::TextDisabled("Glyph");
   draw_advance(editor);
   draw_bearings(editor);
+  if (editor.project().layers.size() > 1 &&
+      (editor.shows_layers || editor.master() != 0)) {
+    draw_masters(editor);
+  }
   if (editor.tool_kind() == ToolKind::spacing) {
     ImGui::Separator();
     ImGui::TextDisabled("Kerning groups");

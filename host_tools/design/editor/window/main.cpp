@@ -55,7 +55,8 @@ PreviewKey key_of(const Editor& editor) {
   std::ostringstream text;
   const PreviewSettings& s = editor.preview;
   text << static_cast<int>(s.display) << s.dark << s.cells << ' ' << s.glyph_px
-       << ' ' << s.text;
+       << ' ' << s.text << ' ' << editor.master() << ' '
+       << editor.part_between;
   return {editor.glyph(), editor.shown_project().font, text.str()};
 }
 

@@ -58,6 +58,7 @@ void draw_menu(Panels& panels) {
     dialog_item(panels, "Save as", "Ctrl+Shift+S", is_open);
     item(panels, "Revert");
     dialog_item(panels, "Export", "Ctrl+E", is_open);
+    dialog_item(panels, "Add master", "", is_open);
     dialog_item(panels, kScript, "", is_open);
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) {

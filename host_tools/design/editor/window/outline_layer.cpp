@@ -140,12 +140,17 @@ void OutlineLayer::draw_guides() const {
 
 void OutlineLayer::draw_layers() const {
   const Project& project = panels_.editor.project();
+  if (const auto mixed = panels_.editor.glyph_between()) {
+    for (const PointContour& contour : mixed->contours) {
+      outline(contour, colour::tool);
+    }
+  }
   if (!panels_.editor.shows_layers) {
     return;
   }
-  for (size_t i = 1; i < project.layers.size(); ++i) {
+  for (size_t i = 0; i < project.layers.size(); ++i) {
     const GlyphPointer other = project.find(glyph_->name, i);
-    if (other == nullptr) {
+    if (other == nullptr || i == panels_.editor.master()) {
       continue;
     }
     for (const PointContour& contour : other->contours) {
@@ -257,7 +262,7 @@ void OutlineLayer::draw_fill() const {
 }
 
 void OutlineLayer::draw_components() const {
-  const Project& project = panels_.editor.project();
+  const Project project = panels_.editor.shown_project();
   for (size_t i = 0; i < glyph_->components.size(); ++i) {
     Glyph part;
     try {
