@@ -1,11 +1,13 @@
 // Curves for dense points: few, accurate, corners kept.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/cubic_fit.hpp"
 #include "fit/curve_fitter.hpp"
 #include "shape/shape.hpp"
+#include "stroke/stroke.hpp"
 
 namespace inkcell::design::test {
 namespace {
@@ -188,6 +190,63 @@ TEST(SegmentCount, CountsTheLineThatCloses) {
     contour.segments.push_back(segment);
   }
   EXPECT_EQ(segment_count({{contour}}), 4u);
+}
+
+// The width of an upright stroke at a height.
+double width_at(const std::vector<Point>& polygon, double y) {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    if ((a.y <= y) != (b.y <= y)) {
+      const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  }
+  return high - low;
+}
+
+TEST(Stroke, NibsChangeWithoutKinksBetweenKnots) {
+  const auto knot = [](double y, double width) {
+    StrokePoint point;
+    point.at = {0, y};
+    point.width = width;
+    return point;
+  };
+  Stroke stroke;
+  stroke.nib = {Nib::Kind::rectangle, 40, 1, 0};
+  stroke.is_smooth = true;
+  stroke.points = {knot(500, 40), knot(250, 40), knot(0, 120)};
+  const auto polygons = polygons_of(stroke, 0.5);
+  ASSERT_EQ(polygons.size(), 1u);
+  const auto width = [&](double y) { return width_at(polygons[0], y); };
+  EXPECT_NEAR(width(400), 40, 0.1);
+  // A straight change would be 43.2 and 80.
+  EXPECT_LT(width(240), 41.5);
+  EXPECT_NEAR(width(125), 70, 1);
+  EXPECT_NEAR(width(1), 120, 2);
+  for (double y = 499; y > 1; --y) {
+    ASSERT_LE(width(y), width(y - 1) + 1e-6) << y;
+  }
+}
+
+TEST(Stroke, EvenChangesStayStraight) {
+  Stroke stroke;
+  stroke.nib = {Nib::Kind::rectangle, 40, 1, 0};
+  stroke.is_smooth = true;
+  for (const double y : {300.0, 200.0, 100.0, 0.0}) {
+    StrokePoint point;
+    point.at = {0, y};
+    point.width = 40 + (300 - y) / 5;
+    stroke.points.push_back(point);
+  }
+  const auto polygons = polygons_of(stroke, 0.5);
+  ASSERT_EQ(polygons.size(), 1u);
+  for (double y = 295; y > 5; y -= 10) {
+    EXPECT_NEAR(width_at(polygons[0], y), 40 + (300 - y) / 5, 0.3) << y;
+  }
 }
 
 }  // namespace

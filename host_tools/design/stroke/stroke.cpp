@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/error.hpp"
+#include "outlines/curves.hpp"
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 #include "stroke/smooth_path.hpp"
@@ -89,6 +90,88 @@ std::vector<double> spread(const Stroke& stroke,
     last = i;
   }
   return values;
+}
+
+// A value at the knots of a path, and between them a monotone cubic through
+// them without kinks (Fritsch and Carlson 1980).
+class Easing {
+ public:
+  Easing(std::vector<double> values, const std::vector<double>& lengths)
+      : values_(std::move(values)), lengths_(lengths) {
+    const size_t pieces = lengths_.size();
+    for (size_t i = 0; i <= pieces; ++i) {
+      const double in = rise(i == 0 ? 0 : i - 1);
+      const double out = rise(std::min(i, pieces - 1));
+      if (in * out <= 0) {
+        slopes_.push_back(0);
+        continue;
+      }
+      // The harmonic mean, by the lengths of both sides.
+      const double before = lengths_[i == 0 ? 0 : i - 1];
+      const double after = lengths_[std::min(i, pieces - 1)];
+      slopes_.push_back(3 * (before + after) /
+                        ((2 * after + before) / in +
+                         (after + 2 * before) / out));
+    }
+  }
+
+  // At the parameter `t` of a piece.
+  double at(size_t piece, double t) const {
+    const double s = 1 - t;
+    return s * s * (1 + 2 * t) * values_[piece] +
+           t * t * (1 + 2 * s) * values_[piece + 1] +
+           lengths_[piece] * s * t *
+               (s * slopes_[piece] - t * slopes_[piece + 1]);
+  }
+
+ private:
+  double rise(size_t piece) const {
+    return (values_[piece + 1] - values_[piece]) / lengths_[piece];
+  }
+
+  std::vector<double> values_;
+  const std::vector<double>& lengths_;  // of pieces; above 0
+  std::vector<double> slopes_;
+};
+
+// The same path in more pieces, along which nibs change almost smoothly.
+NibPath with_eased_nibs(const NibPath& path) {
+  constexpr int kParts = 8;
+  std::vector<double> lengths;
+  for (const gen::Segment& piece : path.pieces) {
+    lengths.push_back(length(gen::point_on(piece, 1) - piece.p[0]));
+  }
+  const auto easing = [&](double Nib::*member) {
+    std::vector<double> values;
+    for (const Nib& nib : path.nibs) {
+      values.push_back(nib.*member);
+    }
+    return Easing(std::move(values), lengths);
+  };
+  const Easing width = easing(&Nib::width);
+  const Easing height = easing(&Nib::height);
+  const Easing angle = easing(&Nib::angle);
+  NibPath result;
+  result.nibs.push_back(path.nibs[0]);
+  for (size_t i = 0; i < path.pieces.size(); ++i) {
+    const Nib& from = path.nibs[i];
+    const Nib& to = path.nibs[i + 1];
+    const bool changes = from.width != to.width || from.height != to.height ||
+                         from.angle != to.angle;
+    const int parts = changes ? kParts : 1;
+    for (int k = 0; k < parts; ++k) {
+      const double end = static_cast<double>(k + 1) / parts;
+      result.pieces.push_back(
+          parts == 1 ? path.pieces[i]
+                     : gen::part_of(path.pieces[i],
+                                    static_cast<double>(k) / parts, end));
+      result.nibs.push_back(k + 1 == parts
+                                ? to
+                                : Nib{to.kind, width.at(i, end),
+                                      height.at(i, end), angle.at(i, end)});
+    }
+  }
+  return result;
 }
 
 StrokePoint point_of(const Value& value, double scale) {
@@ -247,7 +330,9 @@ NibPath fit_path(const Stroke& stroke, double tolerance) {
 
 std::vector<std::vector<Point>> polygons_of(const Stroke& stroke,
                                             double path_tolerance) {
-  return sweep(places_on(fit_path(stroke, path_tolerance)));
+  const NibPath path = fit_path(stroke, path_tolerance);
+  const bool eases = stroke.is_smooth && path.nibs.size() > 2;
+  return sweep(places_on(eases ? with_eased_nibs(path) : path));
 }
 
 gen::Outline outline_of_polygons(

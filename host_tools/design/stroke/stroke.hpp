@@ -47,7 +47,8 @@ bool turns_sharply(const Point& before, const Point& at, const Point& after);
 /// it turns_sharply().
 NibPath fit_path(const Stroke& stroke, double tolerance);
 
-/// The area of a stroke, as polygons within kSweepBound_u.
+/// The area of a stroke, as polygons within kSweepBound_u. Along a smooth
+/// stroke nibs change without kinks.
 std::vector<std::vector<Point>> polygons_of(const Stroke& stroke,
                                             double path_tolerance);
 
