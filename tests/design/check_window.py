@@ -35,12 +35,14 @@ SAMPLE = 676, 398         # the button that opens the sample [px]
 # FreeType rounds points to 1/64 px, 4 on an edge's pixel.
 SIZES_PX = 12, 24, 32, 48
 MOST_OF_255 = 26
+GLYPH_MENU = 105, 12      # the menu, and its item Curves from the field [px]
+FIELD_CURVES = 180, 224
 SMALL = 1024, 600         # of a screen [px]
 SMALL_ADVANCE = 765, 405  # the field of the advance on it [px]
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
-WAIT = ("wait",)          # until a dialog or a list takes keys
+WAIT = ("wait",)          # until a dialog, a list or a menu is open
 
 
 def run_script(folder, *lines, scale=1):
@@ -332,6 +334,14 @@ class WindowTest(unittest.TestCase):
         steps.drag("point", letter, [(x, y), (x - 20, y + 10), (x - 60, y)])
         steps.key("undo", "ctrl+z", "ctrl+z")
         steps.key("redo", "ctrl+y", "ctrl+y")
+        steps.add("menu Glyph", ["action Curves from the field"],
+                  ("mousemove", *GLYPH_MENU), ("click", 1), WAIT,
+                  ("mousemove", *FIELD_CURVES), ("click", 1))
+        steps.key("curves undone", "ctrl+z", "ctrl+z")
+        steps.key("stroke tool", "b", "b")
+        steps.drag("stroke", letter, [(300, 900), (600, 1000), (900, 1200)])
+        steps.key("select tool", "v", "v")
+        steps.drag("knot", letter, [(300, 900), (250, 850), (200, 800)])
         steps.mono_12px()
         steps.key("glyph O", "Prior", "pageup")
         steps.key("all points", "ctrl+a", "ctrl+a")
