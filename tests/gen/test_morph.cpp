@@ -13,6 +13,7 @@
 #include "inkcell/port/a8.hpp"
 #include "morph/find_morph.hpp"
 #include "morph/master_morph.hpp"
+#include "morph_font.hpp"
 #include "morph_reader.hpp"
 #include "outline_reader.hpp"
 #include "outlines/outline_steps.hpp"
@@ -36,10 +37,6 @@ const char* const kFaces[] = {
     kDejaVuSans, "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf",
     "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", kLiberationSerif,
     kRoboto};
-
-std::vector<uint8_t> bytes_of(Span<const uint8_t> span) {
-  return {span.begin(), span.end()};
-}
 
 bool cross_each_other(const Point& a,
                       const Point& b,
@@ -95,59 +92,6 @@ double detour(const std::vector<double>& values) {
     most = std::max(most, top - sign * value);
   }
   return most / std::max(std::abs(values.front()), std::abs(values.back()));
-}
-
-// A font in memory at a multiple of 4, and its outlines.
-struct MorphFont {
-  explicit MorphFont(const GenerateRequest& request) {
-    const RomFont rom = generate(request);
-    warnings = rom.warnings;
-    words.resize(rom.bytes.size() / 4 + 1);
-    auto* const bytes = reinterpret_cast<uint8_t*>(words.data());
-    std::copy(rom.bytes.begin(), rom.bytes.end(), bytes);
-    EXPECT_EQ(Font::open({bytes, rom.bytes.size()}, font), Status::ok);
-  }
-
-  MinimalOutline outline_of(int glyph) const {
-    const auto id = static_cast<uint16_t>(glyph);
-    GlyphMetrics metrics;
-    EXPECT_EQ(font.glyph_metrics(id, metrics), Status::ok);
-    std::vector<uint16_t> table;
-    const Span<const uint8_t> code = font.section(format::section::kCode);
-    for (size_t i = 0; i + 1 < code.size; i += 2) {
-      table.push_back(static_cast<uint16_t>(code[i] | code[i + 1] << 8));
-    }
-    const auto grid_shift =
-        static_cast<int8_t>(font.rom()[format::header::kGridShift]);
-    return read_outline(
-        bytes_of(font.record(id)), table, font.rom()[format::header::kCodeBits],
-        record_start(metrics.x_min, metrics.y_min, grid_shift), 10000);
-  }
-
-  // A grid unit. [u]
-  double grid_u() const {
-    return std::ldexp(
-        kUPerEm / font.units_per_em(),
-        static_cast<int8_t>(font.rom()[format::header::kGridShift]));
-  }
-
-  bool is_composite(int glyph) const {
-    const auto id = static_cast<uint16_t>(glyph);
-    return font.record(id).data[0] == format::composite::kType;
-  }
-
-  std::vector<uint32_t> words;
-  Font font;
-  Warnings warnings;
-};
-
-MorphFont digits_of(const std::string& file, const std::string& morphs) {
-  GenerateRequest request;
-  request.font = file;
-  request.chars = {"0-9"};
-  request.target.max_px = 96;
-  request.morphs = {morphs};
-  return MorphFont(request);
 }
 
 using Pixels = std::vector<uint8_t>;

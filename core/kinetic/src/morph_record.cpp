@@ -237,6 +237,14 @@ int32_t cut_progress(int32_t progress_q10, uint32_t cuts) noexcept {
                      : clamp(since * 1171 >> 10, 0, 1024);
 }
 
+// Whether a piece is a cut that is closed now; a cut of both glyphs always is.
+// Its two sides coincide, and no line is drawn along them: painters of
+// distances would show it.
+bool is_closed(int32_t progress_q10, uint32_t cuts) noexcept {
+  return cuts == 3 || (cuts == 1 && progress_q10 <= 128) ||
+         (cuts == 2 && progress_q10 >= 896);
+}
+
 struct Ends {
   Vertex first;
   Vertex second;
@@ -301,8 +309,10 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
       if (&joint == start) {
         start_cuts = cuts;
       }
-      joint = ends.at(cut_progress(progress_q10, last_cuts | cuts), kCorner);
-      if (!first.is_line || !second.is_line) {
+      joint = ends.at(cut_progress(progress_q10, last_cuts | cuts),
+                      is_closed(progress_q10, last_cuts) ? kStart : kCorner);
+      if ((!first.is_line || !second.is_line) &&
+          !is_closed(progress_q10, cuts)) {
         *out++ = Ends{first.control, second.control}.at(
             cut_progress(progress_q10, cuts), kOffCurve);
       }
@@ -312,7 +322,11 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
     // Closed, whatever the record says.
     const int32_t part = cut_progress(progress_q10, start_cuts | last_cuts);
     *start = start_ends.at(part, kStart);
-    out[-1] = start_ends.at(part, kCorner);
+    if (is_closed(progress_q10, last_cuts)) {
+      --out;
+    } else {
+      out[-1] = start_ends.at(part, kCorner);
+    }
   }
 }
 

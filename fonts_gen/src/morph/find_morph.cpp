@@ -53,12 +53,8 @@ struct Plan {
   Loop outer[2];
   double far_u = 0;
 
-  bool is_good() const {
-    return quality.crossings.empty() && quality.area_error <= kGoodAreaError;
-  }
-  bool is_usable() const {
-    return quality.crossings.empty() && quality.area_error <= kMostAreaError;
-  }
+  bool is_good() const { return quality.is_within(kGoodAreaError); }
+  bool is_usable() const { return quality.is_within(kMostAreaError); }
 };
 
 void judge(Plan& plan) {
@@ -506,8 +502,7 @@ Morph morph_bodies(const std::vector<Body>& first,
       whole.contours.push_back(std::move(contour));
     }
   }
-  const MorphQuality quality = quality_of(whole);
-  if (!quality.crossings.empty() || quality.area_error > kMostAreaError) {
+  if (!quality_of(whole).is_within(kMostAreaError)) {
     return {};
   }
   return {std::move(whole), cost};

@@ -204,7 +204,7 @@ double slip_of(const MorphContour& contour) {
 
 bool is_good(const MorphPair& pair) {
   const MorphQuality quality = quality_of(pair);
-  return quality.crossings.empty() && quality.area_error <= kGoodAreaError;
+  return quality.is_within(kGoodAreaError);
 }
 
 }  // namespace

@@ -102,6 +102,41 @@ void add_crossings(const MorphPolygons& polygons,
   }
 }
 
+// Whether two pieces run along one line in opposite directions, in both glyphs.
+bool are_opposite(const MorphPiece& a, const MorphPiece& b) {
+  constexpr double kSlack_u = 0.01;
+  for (size_t side = 0; side < 2; ++side) {
+    if (!is_cut(b, side) ||
+        length(a.side[side].p[0] - b.side[side].p[2]) > kSlack_u ||
+        length(a.side[side].p[2] - b.side[side].p[0]) > kSlack_u) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool has_opposite(const MorphPair& pair, const MorphPiece& piece) {
+  for (const MorphContour& contour : pair.contours) {
+    for (const MorphPiece& other : contour.pieces) {
+      if (are_opposite(piece, other)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool is_torn(const MorphPair& pair) {
+  for (const MorphContour& contour : pair.contours) {
+    for (const MorphPiece& piece : contour.pieces) {
+      if (is_cut(piece, 0) && is_cut(piece, 1) && !has_opposite(pair, piece)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 double greatest_depth(const MorphPolygons& polygons) {
   constexpr double kStep_u = 20;
   Point low = {kInfinity, kInfinity};
@@ -149,6 +184,7 @@ MorphPolygons morph_polygons(const MorphPair& pair,
 MorphQuality quality_of(const MorphPair& pair) {
   constexpr int kChords = 5;
   MorphQuality quality;
+  quality.is_torn = is_torn(pair);
   std::vector<double> areas;
   for (int i = 0; i <= kMorphSteps; ++i) {
     const MorphPolygons polygons =

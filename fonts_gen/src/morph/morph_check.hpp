@@ -28,6 +28,13 @@ struct MorphQuality {
   /// The most that the area falls on its way up, or rises on its way down, of
   /// the greater area.
   double area_error = 0;
+  /// One side of a cut of both glyphs is a cut of both, the other is not: the
+  /// device, which draws neither while a cut is closed, would tear the contour.
+  bool is_torn = false;
+
+  bool is_within(double most_area_error) const {
+    return crossings.empty() && !is_torn && area_error <= most_area_error;
+  }
 };
 
 MorphQuality quality_of(const MorphPair& pair);
