@@ -1,4 +1,4 @@
-// Each change begins with the last digit.
+// All digits of a change move together: between both times no third one shows.
 #include "inkcell/kinetic/clock.hpp"
 
 #include "inkcell/kinetic/easing.hpp"
@@ -26,9 +26,8 @@ uint32_t digit_of(uint32_t minute, int32_t digit) noexcept {
   }
 }
 
-Q16_16 part_at(int32_t digit, int32_t since_ms) noexcept {
-  const int32_t begin = (Clock::kDigits - 1 - digit) * Clock::kStepMs;
-  return ease(kChange, fraction(begin, begin + Clock::kChangeMs, since_ms));
+Q16_16 part_at(int32_t since_ms) noexcept {
+  return ease(kChange, fraction(0, Clock::kEndMs, since_ms));
 }
 
 }  // namespace
@@ -57,9 +56,8 @@ uint16_t Clock::glyph_of(uint16_t minute, int32_t digit) const noexcept {
 }
 
 Q16_16 Clock::progress(int32_t digit) const noexcept {
-  return digit_of(from_, digit) == digit_of(to_, digit)
-             ? Q16_16::from_int(1)
-             : part_at(digit, since_ms_);
+  return digit_of(from_, digit) == digit_of(to_, digit) ? Q16_16::from_int(1)
+                                                        : part_at(since_ms_);
 }
 
 Rect Clock::at(uint32_t from_minute,
@@ -74,7 +72,7 @@ Rect Clock::at(uint32_t from_minute,
     const auto shown = [i](uint32_t a, uint32_t b, int32_t ms) -> uint32_t {
       const uint32_t first = digit_of(a, i);
       const uint32_t second = digit_of(b, i);
-      const auto part = static_cast<uint32_t>(part_at(i, ms).raw);
+      const auto part = static_cast<uint32_t>(part_at(ms).raw);
       return first == second || part == 0 ? first
              : part == 65536              ? second
                                           : part << 8 | first << 4 | second;

@@ -20,14 +20,12 @@ namespace kinetic {
 class Clock {
  public:
   static constexpr int32_t kDigits = 4;
-  static constexpr int32_t kStepMs = 110;    // from digit to digit
-  static constexpr int32_t kChangeMs = 620;  // of a digit
-  static constexpr int32_t kEndMs = kChangeMs + (kDigits - 1) * kStepMs;
+  static constexpr int32_t kEndMs = 620;  // of a change
 
   /// `origin` is the left end of the baseline.
   Clock(const Font& font, const Style& style, Point origin) noexcept;
 
-  /// The change from one minute of the day to another, the last digit first,
+  /// The change from one minute of the day to another, all digits together,
   /// `since_ms` after it began; beyond kEndMs it rests.
   Rect at(uint32_t from_minute, uint32_t to_minute, int32_t since_ms) noexcept;
   void draw(const Painter& painter) const noexcept;
