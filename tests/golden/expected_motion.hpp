@@ -4,9 +4,9 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "2466fc97f7e484d8b672e0c72cf12b354bf8da4c6029d8b91d839ecc211819fd";
+    "e01d611536fdba7aa6150de279ed84f6ee273d3199d75731da445ca94bce6cc8";
 inline constexpr const char* kClockHash =
-    "49483bb85f8c6e5165f8706cfd0a24f5c4d2c322d7ab81cc489f080f881f4c64";
+    "1426408ac757a8f00895b89e85ed9cac3d043afcaa0a5a55a612e2dc5bbed323";
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =

@@ -107,11 +107,25 @@ TEST(glyphs_stand_on_their_path) {
   CHECK_EQ(place(font, run, 2, path, on_path, {}).at.x.raw,
            beyond.at.x.raw - 90 * 64);
 
+  // A run that begins where a valley does shows its first glyph, whose middle
+  // is nearer to the path's start than on a line.
+  path.clear();
+  CHECK_OK(path.move_to(px(0, 50)));
+  CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_raw(kOne / 2), 64));
+  on_path.overflow = PathOverflow::hide;
+  on_path.start = Q16_16();
+  Run from_start;
+  CHECK_OK(lay_out(font, "ABC", Align::left, run_glyphs, from_start));
+  CHECK_EQ(place(font, from_start, 0, path, on_path, {}).pose.opacity, 255);
+  on_path.start = Q16_16::from_int(-16);
+  CHECK_EQ(place(font, from_start, 0, path, on_path, {}).pose.opacity, 0);
+
   // On top of a circle that runs clockwise, glyphs lean as it does.
   path.clear();
   CHECK_OK(path.move_to(px(0, 50)));
   CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_raw(-kOne / 2), 64));
   on_path.start = Q16_16::from_raw(path.length().raw / 2);
+  CHECK_OK(lay_out(font, "ABC", Align::centre, run_glyphs, run));
   for (size_t i = 0; i < 3; ++i) {
     later[i] = place(font, run, i, path, on_path, {});
   }

@@ -1,5 +1,6 @@
-// Ten seconds: letters fly in, the wave swings, weight runs along the line,
-// letters leave, and the screen rests.
+// Ten seconds: letters fly in, the wave swings, weight runs along the line, and
+// letters leave, each one shortly before it comes again: the screen is never
+// empty.
 #include "path_scene.hpp"
 
 #include "inkcell/kinetic/spring.hpp"
@@ -17,13 +18,15 @@ constexpr uint32_t kMiddleInk = 0xff5c7a;
 constexpr uint32_t kLastInk = 0x7a8cff;
 
 constexpr Stagger kArrival = {70, StaggerOrder::forward, 0};
-constexpr Stagger kDeparture = {45, StaggerOrder::from_centre, 0};
 constexpr uint32_t kFirstFrame = 60;  // all letters are there
 constexpr int32_t kArrivesMs = 250;
 constexpr int32_t kSwingsMs = 1200;  // the wave begins to swing
 constexpr int32_t kWeightMs = 4200;
-constexpr int32_t kLeavesMs = 8200;
+constexpr int32_t kCalmMs = 9200;   // the wave is flat again
+constexpr int32_t kStaysMs = 9100;  // a letter, from its arrival on
 constexpr int32_t kLeavingMs = 700;
+constexpr int32_t kLoopMs = kLoopFrames * 1000 / kFramesPerSecond;
+static_assert(kStaysMs + kLeavingMs < kLoopMs, "it is gone before it comes");
 constexpr int32_t kWavePeriodMs = 2600;
 constexpr Spring kLanding = {420, 90};
 
@@ -70,7 +73,7 @@ void PathScene::make_wave(int32_t time_ms) noexcept {
   const Q16_16 grown =
       ease(kEaseInOut, fraction(kSwingsMs, kSwingsMs + 1500, time_ms));
   const Q16_16 calmed =
-      ease(kEaseInOut, fraction(kLeavesMs - 1200, kLeavesMs, time_ms));
+      ease(kEaseInOut, fraction(kCalmMs - 1200, kCalmMs, time_ms));
   const int32_t swing_q6 =
       scaled(height_ * 64 * 5 / 16, Q16_16::from_raw(grown.raw - calmed.raw));
   const auto phase = static_cast<uint16_t>(int64_t{since < 0 ? 0 : since} *
@@ -103,19 +106,19 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   const uint32_t count = unit_count(run_, Unit::glyph);
   const auto i = static_cast<uint32_t>(index);
   const int32_t arrives = kArrivesMs + delay_of(kArrival, i, count);
-  const int32_t leaves = kLeavesMs + delay_of(kDeparture, i, count);
+  // Since it came, in this loop or in the one before.
+  const int32_t since = time_ms - arrives + (time_ms < arrives ? kLoopMs : 0);
   Pose pose;
-  if (time_ms < leaves) {
+  if (since < kStaysMs) {
     // Letters fly in from above, turning, with a spring's swing.
-    const Q16_16 there = spring_at(kLanding, time_ms - arrives);
+    const Q16_16 there = spring_at(kLanding, since);
     const Q16_16 away = Q16_16::from_raw((1 << 16) - there.raw);
     pose.offset.y.raw = -scaled(height_ * 64 * 3 / 8, away);
     pose.angle.raw = static_cast<uint16_t>(scaled(9000, away));
     const int32_t scale = 1229 + scaled(4096 - 1229, there);
     pose.scale_x.raw = static_cast<int16_t>(scale);
     pose.scale_y.raw = static_cast<int16_t>(scale);
-    pose.opacity = static_cast<uint8_t>(
-        scaled(255, fraction(arrives, arrives + 120, time_ms)));
+    pose.opacity = static_cast<uint8_t>(scaled(255, fraction(0, 120, since)));
     // A wave of weight runs along the line.
     const int32_t pulse = kWeightMs + static_cast<int32_t>(i) * 90;
     const Q16_16 up = fraction(pulse, pulse + 260, time_ms);
@@ -129,13 +132,13 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   }
   // Letters leave at the bottom: a little back first, then down, slanted.
   const Q16_16 gone =
-      ease(kAnticipate, fraction(leaves, leaves + kLeavingMs, time_ms));
+      ease(kAnticipate, fraction(kStaysMs, kStaysMs + kLeavingMs, since));
   pose.offset.y.raw = scaled(height_ * 64 * 5 / 8, gone);
   pose.angle.raw = static_cast<uint16_t>(
       (index & 1) != 0 ? scaled(7000, gone) : -scaled(7000, gone));
   pose.opacity = static_cast<uint8_t>(
-      255 - scaled(255, fraction(leaves + kLeavingMs * 3 / 4,
-                                 leaves + kLeavingMs, time_ms)));
+      255 - scaled(255, fraction(kStaysMs + kLeavingMs * 3 / 4,
+                                 kStaysMs + kLeavingMs, since)));
   return pose;
 }
 
@@ -169,23 +172,6 @@ void PathScene::draw(const Paper& paper) noexcept {
 void PathScene::add_changes(DirtyRects& dirty) const noexcept {
   renderer_.add_changes({before_, run_.glyphs.size}, {posed_, run_.glyphs.size},
                         {0, 0, width_, height_}, dirty);
-}
-
-// The end of the time in which the picture does not change. [ms of the loop]
-int32_t PathScene::quiet_until(int32_t time_ms) const noexcept {
-  const auto count = static_cast<uint32_t>(run_.glyphs.size);
-  const int32_t end = kLeavesMs + kLeavingMs + longest_delay(kDeparture, count);
-  if (time_ms < kArrivesMs) {
-    return kArrivesMs;
-  }
-  return time_ms > end ? time_of(kLoopFrames - 1) + kArrivesMs : time_ms;
-}
-
-uint32_t PathScene::next_due() const noexcept {
-  const int32_t now = time_of(frame_ + kFirstFrame);
-  const int32_t wait = quiet_until(now) - now;
-  const auto frames = static_cast<uint32_t>(wait * kFramesPerSecond / 1000);
-  return frame_ + (frames > 1 ? frames : 1);
 }
 
 void PathScene::tell_state(const StateSink& sink) const noexcept {

@@ -34,7 +34,7 @@ class PathScene {
   /// Adds the areas in which the frame differs from the one before.
   void add_changes(DirtyRects& dirty) const noexcept;
   /// The next frame that looks different.
-  uint32_t next_due() const noexcept;
+  uint32_t next_due() const noexcept { return frame_ + 1; }
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
@@ -42,7 +42,6 @@ class PathScene {
 
   void make_wave(int32_t time_ms) noexcept;
   kinetic::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
-  int32_t quiet_until(int32_t time_ms) const noexcept;
 
   const Font& font_;
   Text text_;

@@ -227,7 +227,7 @@ PosedGlyph place(const Font& font,
     middle += middle < 0 ? length : 0;
   }
   if (where.overflow == PathOverflow::hide &&
-      (middle < half || middle > length - half)) {
+      (middle < 0 || middle > length)) {
     posed.pose.opacity = 0;
   }
   const auto point_at = [&](int64_t at) {

@@ -76,7 +76,7 @@ class Path {
 
 /// What happens to glyphs outside of a path.
 enum class PathOverflow : uint8_t {
-  hide,    // not drawn
+  hide,    // not drawn if their middle is outside, as in SVG
   extend,  // continue on the tangent
   wrap,    // enter at the other end: for closed paths
 };
