@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -67,13 +68,20 @@ struct MorphFont {
   Warnings warnings;
 };
 
-inline MorphFont digits_of(const std::string& file, const std::string& morphs) {
+/// Digits of a face and their pairs, made once: pairs take seconds.
+inline const MorphFont& digits_of(const std::string& file,
+                                  const std::string& morphs) {
+  static std::map<std::string, MorphFont> made;
+  const auto found = made.find(file + morphs);
+  if (found != made.end()) {
+    return found->second;
+  }
   GenerateRequest request;
   request.font = file;
   request.chars = {"0-9"};
   request.target.max_px = 96;
   request.morphs = {morphs};
-  return MorphFont(request);
+  return made.emplace(file + morphs, request).first->second;
 }
 
 }  // namespace inkcell::gen::test

@@ -134,7 +134,7 @@ class DigitMorphs : public testing::TestWithParam<const char*> {};
 
 TEST_P(DigitMorphs, KeepTheirAreaAndDoNotCross) {
   const char* const file = GetParam();
-  const MorphFont digits = digits_of(file, "0123456789");
+  const MorphFont& digits = digits_of(file, "0123456789");
   const std::vector<uint8_t> section =
       bytes_of(digits.font.section(format::section::kMorphs));
   const std::vector<MorphEntry> pairs = read_morphs(section);
@@ -339,7 +339,7 @@ TEST(Morph, RecordIsThatOfTheDocument) {
 }
 
 TEST(Morph, GroupsArePairedAndTheRestIsNot) {
-  const MorphFont digits = digits_of(kDejaVuSans, "01 23");
+  const MorphFont& digits = digits_of(kDejaVuSans, "01 23");
   const auto opens = [&digits](char from, char to) {
     OutlineMorph morph;
     return OutlineMorph::open(

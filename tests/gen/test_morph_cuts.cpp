@@ -16,7 +16,7 @@ namespace {
 
 using kinetic::OutlineMorph;
 
-constexpr int kCutSteps = 32;
+constexpr int kCutSteps = 16;
 
 const char* const kCutFaces[] = {
     kDejaVuSans, kLiberationSerif, kInterVariable, kRoboto,
@@ -65,7 +65,7 @@ int seams(const CutFrame& exact, const CutFrame& drawn) {
 class MorphCuts : public testing::TestWithParam<const char*> {};
 
 TEST_P(MorphCuts, DoNotShow) {
-  const MorphFont digits = digits_of(GetParam(), "0123456789");
+  const MorphFont& digits = digits_of(GetParam(), "0123456789");
   const std::vector<MorphEntry> pairs =
       read_morphs(bytes_of(digits.font.section(format::section::kMorphs)));
   int pixels = 0;
