@@ -12,7 +12,7 @@ inline constexpr const char* kParticlesHash =
 inline constexpr const char* kFigure13Hash =
     "65f62ce67e125ac2f801eb92288a09328acbacb66a777a83dfebb18b7a827019";
 inline constexpr const char* kFigure14Hash =
-    "cb01c7bb6a3bb027327da523be52549b620c15d386f259385b149f5a04cdff9b";
+    "aab8cfd9f59e222a955164150f9a5540ca27f7186e15ebff5b5568ccbae01dc0";
 inline constexpr const char* kFigure15Hash =
     "26b9bab739d0d01fa4c43a92ee8561bf31b5fb698a443aedc585ac587a809e86";
 inline constexpr const char* kMeltHash =

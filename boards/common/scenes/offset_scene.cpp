@@ -20,9 +20,8 @@ constexpr uint32_t kBackground = 0x090a12;
 constexpr uint32_t kBody = 0xfff0d8;
 constexpr uint32_t kSlow = 0x62d8ff;
 constexpr uint32_t kFast = 0xffffff;
-// From the outermost band on.
-constexpr uint32_t kBands[] = {0x1b1640, 0x3a1c68, 0x78207a, 0xc8385c,
-                               0xf58a3c};
+// From the outermost band on. Each fades into the next one.
+constexpr uint32_t kBands[] = {0x3a1c68, 0xa82c6c, 0xf58a3c};
 constexpr int32_t kBandCount = sizeof kBands / sizeof *kBands;
 
 // Frames of a breath.
@@ -36,6 +35,19 @@ constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
 
 int32_t magnitude(int32_t value) noexcept {
   return value < 0 ? -value : value;
+}
+
+// A ramp as wide as a band, so that bands leave no edges between them.
+Filter soft_filter(int32_t band_q6) noexcept {
+  constexpr int32_t kLeastQ10 = 640;
+  constexpr int32_t kMostQ10 = 4 << 10;
+  const int32_t half = band_q6 * 8;
+  const int32_t reach = half < kLeastQ10  ? kLeastQ10
+                        : half > kMostQ10 ? kMostQ10
+                                          : half;
+  return make_filter({Q6_10::from_raw(static_cast<int16_t>(-reach)),
+                      Q6_10::from_raw(static_cast<int16_t>(reach)),
+                      Fixed<uint16_t, 8>::from_int(1)});
 }
 
 bool is_near(const Particle& p, const Rect& window) noexcept {
@@ -94,7 +106,7 @@ Status OffsetScene::open() noexcept {
     guide_.clear();
   }
   restart();
-  now_ = drawn_box();
+  prepare();
   return Status::ok;
 }
 
@@ -119,7 +131,7 @@ void OffsetScene::restart() noexcept {
 // The distance of the outermost offset curve from the letters. [px, Q6]
 int32_t OffsetScene::offset_q6() const noexcept {
   const auto at = static_cast<int32_t>(frame_ % kBreath);
-  const int32_t most = 3 * 64 << far_grid_.scale_log2();
+  const int32_t most = 5 * 32 << far_grid_.scale_log2();
   const int32_t least = most / 5;
   const Q16_16 grown =
       ease(kEaseOut, fraction(static_cast<int32_t>(kSwells),
@@ -204,6 +216,12 @@ void OffsetScene::set_frame(uint32_t frame) noexcept {
   while (frame_ < frame) {
     step();
   }
+  prepare();
+}
+
+// What all strips of a frame need.
+void OffsetScene::prepare() noexcept {
+  soft_ = soft_filter(offset_q6() / kBandCount);
   now_ = drawn_box();
 }
 
@@ -212,7 +230,7 @@ void OffsetScene::draw(const Paper& paper) noexcept {
   const int32_t most_q6 = offset_q6();
   for (int32_t i = 0; i < kBandCount; ++i) {
     const int32_t offset = most_q6 * (kBandCount - i) / kBandCount;
-    draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, kFilterMotion,
+    draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, soft_,
                 paper.with(kBands[i]));
   }
   const Style style(place_.size, kFilterArea);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "inkcell/dirty_rects.hpp"
+#include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/particles.hpp"
@@ -69,6 +70,7 @@ class OffsetScene {
   int32_t offset_q6() const noexcept;
   const kinetic::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;
   Rect drawn_box() const noexcept;
+  void prepare() noexcept;
 
   const Font& font_;
   Text text_;
@@ -81,6 +83,7 @@ class OffsetScene {
   TextPlace place_;
   Span<kinetic::Particle> particles_;
   uint32_t frame_ = 0;
+  Filter soft_;  // between bands
   Rect before_;  // drawn by the last two frames
   Rect now_;
 };
