@@ -19,6 +19,7 @@
 
 #include "apng.hpp"
 #include "app/progress.hpp"
+#include "canvas.hpp"
 #include "clock_scene.hpp"
 #include "convert.hpp"
 #include "display.hpp"
@@ -40,6 +41,9 @@ constexpr const char* kDefaultFont =
 constexpr int kReelColumns = 5;
 constexpr int kReelRows = 2;
 constexpr const char* kReelSize = "800x160";
+// Of a scene: its text is 8 px high there.
+constexpr int kLeastReelWidth = 64;
+constexpr int kLeastReelHeight = 32;
 constexpr std::array<std::string_view, kReelColumns* kReelRows> kReel = {
     "clock", "count", "icons",  "typewriter", "charge",
     "wipe",  "pulse", "bounce", "ticker",     "splash"};
@@ -191,20 +195,39 @@ struct Output {
   std::function<void()> finish = [] {};
 };
 
-// All frames in one picture, in rows of up to 8.
-Output open_sheet(const std::string& file, Size size, int frames) {
+// A frame's time, black on white. [s]
+Image time_label(const Font& font, uint32_t frame, int width, int height) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2)
+       << static_cast<double>(frame) / scenes::kFramesPerSecond << " s";
+  const Style style(Q26_6::from_int(height * 3 / 4));
+  Image label(width, height, 3);
+  draw_lines(font, lay_out_lines(font, text.str(), Kerning::none, style), style,
+             make_point(1, height * 0.75), label);
+  invert(label);
+  return label;
+}
+
+// All frames in one picture, in rows of up to 8, with their times below them.
+Output open_sheet(const Arguments& arguments, Size size, int frames) {
   constexpr int kColumns = 8;
   constexpr int kGap = 4;  // [px]
+  constexpr int kLabelHeight = 16;
   const int columns = std::min(frames, kColumns);
   const int rows = (frames + columns - 1) / columns;
-  const auto sheet =
-      std::make_shared<Image>(columns * (size.width + kGap) - kGap,
-                              rows * (size.height + kGap) - kGap, 3, 255);
+  const int cell_height = size.height + kLabelHeight + kGap;
+  const auto sheet = std::make_shared<Image>(
+      columns * (size.width + kGap) - kGap, rows * cell_height - kGap, 3, 255);
+  const auto font = std::make_shared<RomFile>(
+      load_font_file(arguments.font, Conversion(), "0123456789. s"));
   const auto count = std::make_shared<int>(0);
-  return {[=](const Image& frame, uint32_t) {
+  const std::string file = arguments.out;
+  return {[=](const Image& frame, uint32_t number) {
             const int x = *count % columns * (size.width + kGap);
-            const int y = *count / columns * (size.height + kGap);
+            const int y = *count / columns * cell_height;
             paste(frame, x, y, *sheet);
+            paste(time_label(font->font(), number, size.width, kLabelHeight), x,
+                  y + size.height, *sheet);
             ++*count;
           },
           [=] { write_image(file, *sheet); }};
@@ -224,7 +247,7 @@ Output open_output(const Arguments& arguments, Size size, uint32_t frames) {
   check_folder_of(arguments.out);
   if (arguments.format == "sheet") {
     check_image_file(arguments.out, 3);
-    return open_sheet(arguments.out, size, static_cast<int>(frames));
+    return open_sheet(arguments, size, static_cast<int>(frames));
   }
   if (arguments.format == "gif") {
     auto gif = std::make_shared<GifWriter>(
@@ -366,6 +389,15 @@ void run_reel(Arguments& arguments, const CLI::App& app) {
   }
   const Size size =
       read_size(app.count("--size") == 0 ? kReelSize : arguments.size);
+  if (size.width < kReelColumns * kLeastReelWidth ||
+      size.height < kReelRows * kLeastReelHeight) {
+    throw std::runtime_error(
+        "--size " + arguments.size + ": the reel shows " +
+        std::to_string(kReelColumns) + "x" + std::to_string(kReelRows) +
+        " scenes and takes " + std::to_string(kReelColumns * kLeastReelWidth) +
+        "x" + std::to_string(kReelRows * kLeastReelHeight) +
+        " to 2048x2048 px");
+  }
   std::string text;
   for (const std::string_view name : kReel) {
     text += find_scene(std::string(name)).text;
@@ -454,9 +486,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember({1, 2, 3, 5, 6, 10, 15, 30}))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--format", arguments.format,
-                 "apng, gif, frames (PNG), or sheet: all frames in one PNG; "
-                 "without it gif for names that end so, otherwise apng")
+  app.add_option(
+         "--format", arguments.format,
+         "apng, gif, frames (PNG), or sheet: all frames in one PNG, with "
+         "their times; "
+         "without it gif for names that end so, otherwise apng")
       ->check(CLI::IsMember({"apng", "gif", "frames", "sheet"}));
   app.add_option("--print", arguments.print,
                  "Draw the letter of figure15 as a print")

@@ -269,8 +269,9 @@ const std::vector<SceneKind>& scene_kinds() {
                                   "a number of up to 9 digits"),
       kind_of<scenes::TickerScene>("ticker", "a line runs by",
                                    "a line of up to 64 letters"),
-      kind_of<scenes::TypewriterScene>("typewriter",
-                                       "a line is typed, and erased", "a line"),
+      kind_of<scenes::TypewriterScene>(
+          "typewriter", "a line is typed, and erased",
+          "a line that fits the width at 8 px to the em"),
       kind_of<scenes::WipeScene>("wipe", "a soft edge reveals a word",
                                  "two words"),
       kind_of<scenes::LettersScene<scenes::Letters::bounce>>(

@@ -315,6 +315,13 @@ class Animate(unittest.TestCase):
             self.assertIn("charge takes 1% to 100%", out)
         self.play("charge", "c.png", "--text", "100%", frames=2)
 
+    def test_typewriter_takes_what_can_be_read(self):
+        out = pathlib.Path(self.folder.name) / "t.png"
+        for text, code in (("x" * 40, 0), ("x" * 80, 1)):
+            said = run("animate", "typewriter", "--text", text, "--seconds",
+                       0, "--out", out, code=code)
+            self.assertEqual("takes a line that fits" in said, code == 1)
+
     def test_reel(self):
         out = pathlib.Path(self.folder.name) / "reel.gif"
         run("animate", "reel", "--format", "gif", "--fps", 5, "--seconds", 2,
@@ -337,6 +344,9 @@ class Animate(unittest.TestCase):
             off = min(max(abs(a - b) for a, b in zip(ground, colour))
                       for colour in zip(*[iter(palette)] * 3))
             self.assertLessEqual(off, 4, ground)  # of colours of 5 bits
+        self.assertIn("takes 320x64 to 2048x2048 px",
+                      run("animate", "reel", "--size", "319x64", "--out", out,
+                          code=1))
         self.assertIn("--text: the reel plays",
                       run("animate", "reel", "--text", "x", "--out", out,
                           code=1))

@@ -22,8 +22,12 @@ class TypewriterScene : public TextScene {
                   ? 1
                   : kTypingMs / static_cast<int32_t>(text().size)) {}
 
-  /// bad_argument: the text has no ink.
-  Status open() noexcept { return status(); }
+  /// bad_argument: the text has no ink, or would be too small to read.
+  Status open() noexcept {
+    const int32_t height = screen().y1;
+    const int32_t least = height < 4 * kLeastPx ? height / 4 : kLeastPx;
+    return style().size().raw < least * 64 ? Status::bad_argument : status();
+  }
 
   void set_frame(uint32_t frame) noexcept {
     const int32_t now = time_of(frame % (kLoopFrames / 2));
@@ -43,6 +47,7 @@ class TypewriterScene : public TextScene {
   }
 
  private:
+  static constexpr int32_t kLeastPx = 8;  // to the em, on tall screens
   static constexpr int32_t kLoopMs = 5000;
   static constexpr int32_t kRestMs = 900;
   static constexpr int32_t kErasedMs = 1500;
