@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
-    "65f62ce67e125ac2f801eb92288a09328acbacb66a777a83dfebb18b7a827019";
+    "5b26aa18d9a6c8a0e10fe9884b13a3495dbe9d43a905318fab37f6835f0630ad";
 inline constexpr const char* kFigure14Hash =
     "aab8cfd9f59e222a955164150f9a5540ca27f7186e15ebff5b5568ccbae01dc0";
 inline constexpr const char* kFigure15Hash =

@@ -141,8 +141,14 @@ void BodyScene::let_fall(int32_t index) noexcept {
   const auto along = static_cast<int32_t>(random & 127) + 256;  // [em / 1024]
   body.x = Q16_16::from_int(width_ / 2 + (index % 2 == 0 ? -along : along) *
                                              size_for(height_) / 1024);
-  // The first one is seen at once.
-  body.y = Q16_16::from_int(index == 0 ? 0 : -body.shape->radius());
+  // The first one is seen at once, others begin above the one before, which
+  // falls slowly while the heap needs many pieces of a step.
+  int32_t y = 0;
+  if (index > 0) {
+    const Rect before = box_of(bodies_[index - 1]);
+    y = (before.y0 < 0 ? before.y0 : 0) - body.shape->radius();
+  }
+  body.y = Q16_16::from_int(y);
   body.y_speed.raw = (3 << 16) * height_ / 240;  // clear of the next one
   body.turn_q32 = random << 7;
   body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 1024;

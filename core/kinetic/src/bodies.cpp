@@ -198,13 +198,13 @@ struct Solver {
     }
   }
 
-  // Moves rigid bodies that overlap apart, by half of the overlap; off a wall
-  // by all of it.
+  // Moves rigid bodies that overlap apart, by half of the overlap, at most 1
+  // px; off a wall by all of it, at most 2 px.
   void separate(const BodyContact& contact) const noexcept {
     if (contact.gap_q10 >= 0) {
       return;
     }
-    const int32_t step_q16 = min(-contact.gap_q10, 512) *
+    const int32_t step_q16 = min(-contact.gap_q10, 2048) *
                              (contact.second == BodyContact::kWall ? 64 : 32);
     const int64_t pushed = int64_t{step_q16} * contact.normal_mass >> 8;
     const auto move = [&](Body& body, int64_t by) {
@@ -302,7 +302,9 @@ int32_t piece_of(const Solver& solver, int32_t left_q16) noexcept {
   }
   for (const BodyContact& contact : solver.contacts) {
     if (const Body* second = solver.second_of(contact)) {
-      limit_by(max(contact.gap_q10, slide_q10(solver.rules)),
+      // Where both overlap, the sum is what they may.
+      const int32_t overlap = contact.soft_q10 + max(contact.gap_q10, 0);
+      limit_by(max(contact.gap_q10, slide_q10(overlap)),
                speed_between(solver.bodies[contact.first], *second));
     }
   }

@@ -39,8 +39,8 @@ struct Finder {
   // The distance is above 0 where it overlaps.
   void note(Body& body, int32_t distance_q10, int32_t part_q8) const noexcept {
     const int32_t gap_q10 = min(overlap_q10 - distance_q10, kFarQ10);
-    body.clear_q10 =
-        min(body.clear_q10, max(gap_q10, slide_q10(rules)) * part_q8 >> 8);
+    body.clear_q10 = min(body.clear_q10,
+                         max(gap_q10, slide_q10(overlap_q10)) * part_q8 >> 8);
   }
 
   // A pair shares its distance in proportion to the speeds, at least an eighth
@@ -165,8 +165,6 @@ struct Finder {
   }
 
   // A frame of its own, as that of walls.
-  // Broad phase: the greater of |dx| and |dy| is a lower bound of the distance
-  // between the centres.
   __attribute__((noinline)) void find_pair(size_t first,
                                            size_t second) noexcept {
     Body& a = bodies[first];
@@ -178,8 +176,9 @@ struct Finder {
     const int32_t x_between = (a.x.raw - b.x.raw) >> 8;
     const int32_t y_between = (a.y.raw - b.y.raw) >> 8;
     const int32_t radii = a.shape->radius() + b.shape->radius();
-    const int32_t apart_q10 =
-        (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
+    // Less 1/32: below the distance between the centres.
+    const int32_t rough = rough_length(abs(x_between), abs(y_between));
+    const int32_t apart_q10 = (rough - (rough >> 5) - (radii << 8)) * 4;
     overlap_q10 = min(overlap_of(a), overlap_of(b));
     const int32_t near = max(near_q10(a), near_q10(b));
     if (apart_q10 >= near) {

@@ -29,30 +29,10 @@ struct View {
   int16_t bulge_q10;  // of the body drawn: beside this neighbour
   int16_t next;       // it does not matter to the left of this column
 
-  // The distance of a pixel; outside of the grid an upper bound. [px, Q10] As
-  // probe(), without slopes, which takes a tenth off a frame.
+  // The distance of a pixel, as distance_at().
   int32_t distance(int32_t x, int32_t y) const noexcept {
-    const DistanceGrid& grid = shape->grid();
-    const int32_t scale = grid.scale_log2();
-    // From the centre of the first sample to that of the last. [Q16 px]
-    const int32_t right = origin.x + (cosine_q14 * x - sine_q14 * y) * 4;
-    const int32_t down = origin.y + (sine_q14 * x + cosine_q14 * y) * 4;
-    const int32_t side = 1 << (16 + scale);
-    const int32_t out = max(max(-right, right - (grid.width() - 1) * side),
-                            max(-down, down - (grid.height() - 1) * side));
-    if (out >= 0) {
-      return -(out >> 6) - shape->margin_q10();
-    }
-    const int8_t* top =
-        grid.row(down >> (16 + scale)) + (right >> (16 + scale));
-    const int8_t* bottom = top + grid.width();
-    const int32_t x_part = (right >> (8 + scale)) & 255;
-    const int32_t y_part = (down >> (8 + scale)) & 255;
-    const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
-    const int32_t below = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
-    // A sample stands for the middle of its quantum. [Q13 of a sample]
-    const int32_t sum = above + ((below - above) * y_part >> 8) + 128;
-    return sum * (1 << scale) >> 3;
+    return distance_at(*shape, origin.x + (cosine_q14 * x - sine_q14 * y) * 4,
+                       origin.y + (sine_q14 * x + cosine_q14 * y) * 4);
   }
 };
 

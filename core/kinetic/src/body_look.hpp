@@ -133,18 +133,16 @@ struct Look {
     // Between centres, below 1100 px. [Q5]
     const int32_t dx = is_first ? x_between >> 3 : -x_between >> 3;
     const int32_t dy = is_first ? y_between >> 3 : -y_between >> 3;
-    // In `into`, from its grid's corner. [px, Q16]
-    const int32_t x0 = (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw;
-    const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
-    const int32_t x_end = grid.width_px() << 16;
-    const int32_t y_end = grid.height_px() << 16;
-    // A lower bound of the distance to the grid, outside of it. [px, Q10]
-    const auto beyond = [&](int32_t x, int32_t y) {
-      return max(max(-x, x - x_end), max(-y, y - y_end)) >> 6;
-    };
-    const int32_t apart = beyond(x0, y0) - (from->shape->radius() << 10);
-    if (apart >= 0) {
-      sums.most = max(sums.most, -apart - shape.margin_q10());
+    // In `into`, from the centre of its grid's first sample. [px, Q16]
+    const int32_t half = 32768 << grid.scale_log2();
+    const int32_t x0 =
+        (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw - half;
+    const int32_t y0 =
+        (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw - half;
+    const int32_t nearest =
+        distance_at(shape, x0, y0) + (from->shape->radius() << 10);
+    if (nearest <= -(4096 << grid.scale_log2())) {
+      sums.most = max(sums.most, nearest);
       return;
     }
     int32_t id = is_first ? 0 : 1 << 16;
@@ -154,17 +152,12 @@ struct Look {
       ++id;
       const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
       const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
-      const int32_t out = beyond(x, y);
-      if (out >= 0) {
-        sums.most = max(sums.most, -out - shape.margin_q10());
-        sums.outside += is_corner ? 1 : 2;
-        continue;
-      }
-      const GridPoint here =
-          probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
-      sums.add(here.distance_q10, is_corner, grid.scale_log2());
-      if (here.distance_q10 > min(hard_q10, 0) && kept != nullptr) {
-        add(id, point, here);
+      const int32_t distance = distance_at(shape, x, y);
+      sums.add(distance, is_corner, grid.scale_log2());
+      if (distance > min(hard_q10, 0) && kept != nullptr) {
+        add(id, point,
+            probe(grid, Q16_16::from_raw(x + half),
+                  Q16_16::from_raw(y + half)));
       }
     }
   }

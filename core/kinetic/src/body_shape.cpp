@@ -69,7 +69,8 @@ void BodyShape::measure() noexcept {
   // The border is half a sample beyond the outermost centres.
   const int32_t unit = 32 << grid_.scale_log2();
   margin_q10_ = max(-most - 1, 0) * unit;
-  depth_q10_ = grid_.depth() * unit;
+  // The ink of a stroke is as wide as two depths and half as long as its edge.
+  depth_q10_ = grid_.area() * unit / max(near, 1);
   spacing_q5_ = near << (4 + grid_.scale_log2());  // if there is one point
 }
 

@@ -13,10 +13,10 @@ namespace kinetic {
 /// Bodies nearer than this touch. [px, Q10]
 inline constexpr int32_t kTouchQ10 = 256;
 
-/// Bodies that touch slide this far before their contacts are found again; soft
-/// ones farther. [px, Q10]
-inline int32_t slide_q10(const BodyRules& rules) noexcept {
-  return 512 + rules.overlap.raw / 4;
+/// Bodies that touch slide this far before their contacts are found again; ones
+/// that may overlap more slide farther. [px, Q10]
+inline int32_t slide_q10(int32_t overlap_q10) noexcept {
+  return 512 + overlap_q10 / 4;
 }
 
 /// The gap between rigid bodies: grids round corners off by as much. [px, Q10]
@@ -44,6 +44,33 @@ inline int32_t bulge_share(int32_t distance_q10, int32_t scale_log2) noexcept {
 /// no piece comes off. [px, Q10]
 inline int32_t most_bulge_q10(int32_t scale_log2) noexcept {
   return 1360 << (scale_log2 < 1 ? 0 : 1);
+}
+
+/// The distance at a place from the centre of a grid's first sample [px, Q16];
+/// beyond the outermost centres an upper bound. As probe(), without slopes,
+/// which takes a tenth off a frame. [px, Q10]
+inline int32_t distance_at(const BodyShape& shape,
+                           int32_t x,
+                           int32_t y) noexcept {
+  const DistanceGrid& grid = shape.grid();
+  const int32_t shift = 16 + grid.scale_log2();
+  const int32_t right = x - ((grid.width() - 1) << shift);
+  const int32_t below = y - ((grid.height() - 1) << shift);
+  const int32_t across = right > -x ? right : -x;
+  const int32_t down = below > -y ? below : -y;
+  const int32_t out = across > down ? across : down;
+  if (out >= 0) {
+    return -(out >> 6) - shape.margin_q10();
+  }
+  const int8_t* top = grid.row(y >> shift) + (x >> shift);
+  const int8_t* bottom = top + grid.width();
+  const int32_t x_part = (x >> (shift - 8)) & 255;
+  const int32_t y_part = (y >> (shift - 8)) & 255;
+  const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
+  const int32_t under = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
+  // A sample stands for the middle of its quantum. [Q13 of a sample]
+  const int32_t sum = above + ((under - above) * y_part >> 8) + 128;
+  return sum * (1 << grid.scale_log2()) >> 3;
 }
 
 /// Shifts a product right and rounds to nearest; the result fits 32 bits.

@@ -58,7 +58,7 @@ class BodyShape {
   int32_t per_area_q30() const noexcept { return per_area_q30_; }
   int32_t per_gyration_q20() const noexcept { return per_gyration_q20_; }
   int32_t per_radius_q23() const noexcept { return per_radius_q23_; }
-  /// The greatest distance inside the shape. [px, Q10]
+  /// Half of the mean width of its strokes. [px, Q10]
   int32_t depth_q10() const noexcept { return depth_q10_; }
   /// The length of edge that a point stands for, half of it at corners, whose
   /// points are the first. [px, Q5]
