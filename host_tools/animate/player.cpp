@@ -154,7 +154,7 @@ class ScenePlayer : public Player {
               int width,
               int height,
               std::optional<kinetic::PrintStyle> print)
-      : grid_(Scene::needs(width, height).grid),
+      : grid_(needs_of(font, text, width, height).grid),
         particles_(Scene::needs(width, height).particles),
         homes_(Scene::needs(width, height).homes),
         scene_({&font,
@@ -208,6 +208,16 @@ class ScenePlayer : public Player {
   }
 
  private:
+  static scenes::SceneNeeds needs_of(const Font& font,
+                                     std::string_view text,
+                                     int width,
+                                     int height) {
+    if constexpr (std::is_same_v<Scene, scenes::BodyScene>) {
+      return Scene::needs(font, {text.data(), text.size()}, height);
+    }
+    return Scene::needs(width, height);
+  }
+
   std::vector<int8_t> grid_;
   std::vector<kinetic::Particle> particles_;
   std::vector<kinetic::ParticleHome> homes_;

@@ -213,6 +213,8 @@ class Animate(unittest.TestCase):
         message = run("animate", "figure13", "--text", "nineBodys", "--out",
                       out, code=1)
         self.assertIn("figure13 takes up to 8 letters", message)
+        # Eight that are tall and wide.
+        self.play("figure13", "b.png", "--text", "MW8@Q%G&")
 
     def test_bodies_pile_up_and_keep_their_ink(self):
         """Until the floor opens: at least two layers, nothing pushed through."""

@@ -24,6 +24,24 @@ constexpr uint32_t kOpens =
 
 using Touches = BodyTouch[Body::kMostTouches];
 
+// The samples of a letter's grid, from its origin. Empty without ink.
+Rect samples_of(const Font& font, uint16_t glyph, int32_t height) noexcept {
+  GlyphMetrics metrics;
+  if (font.glyph_metrics(glyph, metrics) != Status::ok ||
+      metrics.x_max <= metrics.x_min) {
+    return {};
+  }
+  constexpr int32_t kMargin = BodyScene::kMarginSamples;
+  const auto samples = [&](int32_t units) {  // rounded down
+    const int32_t px =
+        units * BodyScene::size_for(height) / font.units_per_em();
+    return px >> BodyScene::scale_for(height);
+  };
+  return {samples(metrics.x_min) - kMargin, samples(-metrics.y_max) - kMargin,
+          samples(metrics.x_max) + kMargin + 1,
+          samples(-metrics.y_min) + kMargin + 1};
+}
+
 bool are_equal(const Touches& a, const Touches& b) noexcept {
   for (size_t i = 0; i < Body::kMostTouches; ++i) {
     if (a[i].with != b[i].with || a[i].bulge_q6 != b[i].bulge_q6 ||
@@ -44,31 +62,36 @@ BodyScene::BodyScene(const SceneSetting& setting) noexcept
       memory_(setting.memory.grid),
       workspace_(setting.workspace) {}
 
+SceneNeeds BodyScene::needs(const Font& font,
+                            Text text,
+                            int32_t height) noexcept {
+  SceneNeeds needs;
+  TextCursor cursor(font, text);
+  PositionedGlyph letter;
+  while (cursor.next(letter)) {
+    const Rect box = samples_of(font, letter.glyph, height);
+    needs.grid += static_cast<size_t>((box.x1 - box.x0) * (box.y1 - box.y0));
+  }
+  return needs;
+}
+
 // Takes the memory for the letter's box from the front of `memory`.
-Status BodyScene::add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept {
-  const Q26_6 size = Q26_6::from_int(size_for(height_));
-  GlyphMetrics metrics;
-  INKCELL_TRY(font_.glyph_metrics(glyph, metrics));
+Status BodyScene::add_shape(uint16_t glyph,
+                            const Rect& box,
+                            Span<int8_t>& memory) noexcept {
   const int32_t scale = scale_for(height_);
   const int32_t side = 1 << scale;
-  // To samples, rounded down.
-  const auto samples = [&](int32_t units) {
-    const int32_t px = units * (size.raw >> 6) / font_.units_per_em();
-    return px >> scale;
-  };
-  const int32_t left = samples(metrics.x_min) - kMarginSamples;
-  const int32_t top = samples(-metrics.y_max) - kMarginSamples;
-  const int32_t width = samples(metrics.x_max) + kMarginSamples + 1 - left;
-  const int32_t height = samples(-metrics.y_min) + kMarginSamples + 1 - top;
+  const int32_t width = box.x1 - box.x0;
+  const int32_t height = box.y1 - box.y0;
   DistanceGrid grid(memory, width, height, scale);
   if (grid.width() == 0) {
     return Status::buffer_small;
   }
   grid.clear();
-  INKCELL_TRY(
-      grid.paint(font_, glyph, size,
-                 {Q26_6::from_int(-left * side), Q26_6::from_int(-top * side)},
-                 workspace_));
+  INKCELL_TRY(grid.paint(
+      font_, glyph, Q26_6::from_int(size_for(height_)),
+      {Q26_6::from_int(-box.x0 * side), Q26_6::from_int(-box.y0 * side)},
+      workspace_));
   INKCELL_TRY(shapes_[shape_count_].make(grid, points_[shape_count_]));
   glyphs_[shape_count_++] = glyph;
   const auto taken = static_cast<size_t>(width * height);
@@ -83,9 +106,8 @@ Status BodyScene::open() noexcept {
   TextCursor cursor(font_, text_);
   PositionedGlyph letter;
   while (cursor.next(letter)) {
-    GlyphMetrics metrics;
-    if (font_.glyph_metrics(letter.glyph, metrics) != Status::ok ||
-        metrics.x_max <= metrics.x_min) {
+    const Rect box = samples_of(font_, letter.glyph, height_);
+    if (is_empty(box)) {
       continue;
     }
     if (count_ == kMostLetters) {
@@ -96,7 +118,7 @@ Status BodyScene::open() noexcept {
       ++shape;
     }
     if (shape == shape_count_) {
-      INKCELL_TRY(add_shape(letter.glyph, memory));
+      INKCELL_TRY(add_shape(letter.glyph, box, memory));
     }
     shape_of_[count_++] = static_cast<uint8_t>(shape);
   }

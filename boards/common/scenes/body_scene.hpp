@@ -20,6 +20,8 @@ class BodyScene {
  public:
   static constexpr const char* kText = "soft type";
   static constexpr int32_t kMostLetters = 8;
+  /// Of distances around a letter: the range of a grid.
+  static constexpr int32_t kMarginSamples = 4;
 
   /// [px to the em]
   static constexpr int32_t size_for(int32_t height) noexcept {
@@ -31,12 +33,15 @@ class BodyScene {
   static constexpr int32_t scale_for(int32_t height) noexcept {
     return height < 120 ? 0 : 1;
   }
+  /// Enough for kText.
   static constexpr SceneNeeds needs(int32_t, int32_t height) noexcept {
     const int32_t scale = scale_for(height);
     const int32_t side =
         (size_for(height) * 5 / 8 >> scale) + 2 * kMarginSamples + 2;
     return {static_cast<size_t>(kMostLetters * side * side), 0, 0};
   }
+  /// Enough for a text: tall and wide letters need more.
+  static SceneNeeds needs(const Font& font, Text text, int32_t height) noexcept;
 
   explicit BodyScene(const SceneSetting& setting) noexcept;
   BodyScene(const BodyScene&) = delete;
@@ -58,13 +63,13 @@ class BodyScene {
   kinetic::BodyRules rules() const noexcept;
 
  private:
-  // Margin of distances around a letter: the range of a grid.
-  static constexpr int32_t kMarginSamples = 4;
   static constexpr size_t kPoints = 60;
   // Contacts: each letter touches two others, and walls.
   static constexpr size_t kContacts = kinetic::kContactsOfPair * 20;
 
-  Status add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept;
+  Status add_shape(uint16_t glyph,
+                   const Rect& box,
+                   Span<int8_t>& memory) noexcept;
   void restart() noexcept;
   void let_fall(int32_t index) noexcept;
   void wake(bool is_kick) noexcept;
