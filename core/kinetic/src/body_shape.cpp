@@ -15,17 +15,19 @@ constexpr size_t kLeastPoints = 8;
 
 // Coordinates are doubled, so that sample centres are integers.
 bool BodyShape::weigh() noexcept {
-  int64_t sum = 0;
+  int32_t sum = 0;  // at most 2^24, as sides are below 2^9 px
   int64_t x_sum = 0;
   int64_t y_sum = 0;
   for (int32_t y = 0; y < grid_.height(); ++y) {
     const int8_t* row = grid_.row(y);
+    int32_t row_sum = 0;
     for (int32_t x = 0; x < grid_.width(); ++x) {
       const int32_t weight = coverage_of(row[x]);
-      sum += weight;
-      x_sum += int64_t{weight} * (2 * x + 1);
-      y_sum += int64_t{weight} * (2 * y + 1);
+      row_sum += weight;
+      x_sum += weight * (2 * x + 1);
     }
+    sum += row_sum;
+    y_sum += row_sum * (2 * y + 1);
   }
   if (sum == 0) {
     return false;
@@ -48,7 +50,7 @@ bool BodyShape::weigh() noexcept {
   // A square has a sixth of its side squared of its own. [Q10]
   const auto gyration = static_cast<int32_t>(squares / sum) + 1024 / 6;
   gyration_q8_ = max((gyration << (2 * scale)) >> 2, 64);
-  area_ = max(1, static_cast<int32_t>((sum << (2 * scale)) >> 6));
+  area_ = max(1, (sum << (2 * scale)) >> 6);
   return true;
 }
 
