@@ -396,7 +396,7 @@ class WindowTest(unittest.TestCase):
 
     def test_killed_window_loses_nothing(self):
         letter, _ = self.reports()
-        steps = Session(["print"])
+        steps = Session(("print",))
         for glyph in "HOa":
             steps.key(f"glyph {glyph}", "Next", "pagedown")
         x, y = letter["contours"][0][3][:2]
