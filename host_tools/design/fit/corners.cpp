@@ -46,6 +46,12 @@ constexpr double kLeastTurn = 0.3;
 // reaches. A long arc spreads it over one reach.
 constexpr double kBendLength = 0.76;
 
+// A tip that turns by less than a right angle, half of it over at least this
+// many reaches, is an arc if its distances are an arc's. The corners of a blunt
+// tip turn the contour further, or are nearer. [radians]
+constexpr double kRoundTipTurn = 1.57;
+constexpr double kRoundTipBend = 0.5;
+
 // A corner is within this many times its reach of the contour's point.
 constexpr double kMostExtension = 2.5;
 
@@ -343,12 +349,18 @@ class CornerFinder {
   bool is_bend(double s, const Point& met, const Sides& sides) const {
     double bend = part_of_turn(s, 0.75) - part_of_turn(s, 0.25);
     bend += bend < 0 ? lengths_.back() : 0;
+    const double turned = turn(sides.before.slope(0), sides.after.slope(0));
+    const double radius = 2 * bend / turned;
+    if (std::fabs(options_.distance(met)) > kBlunt_u) {
+      return bend > kRoundTipBend * options_.reach &&
+             std::fabs(turned) < kRoundTipTurn &&
+             stays_inside(met, radius, turned / 2);
+    }
     if (bend < kBendLength * options_.reach) {
       return false;
     }
-    const double turned = turn(sides.before.slope(0), sides.after.slope(0));
     return std::fabs(turned) < kLeastTurn ||
-           stays_inside(met, 2 * bend / turned, turned / 2);
+           stays_inside(met, radius, turned / 2);
   }
 
   // Whether the edge stays inside of `met`, the intersection of two tangents of
@@ -380,8 +392,7 @@ class CornerFinder {
       if (is_blunt && !is_acute) {
         tip = sharp_tip(chosen_[k], both);
       }
-      if (!tip && !is_blunt && options_.distance &&
-          is_bend(chosen_[k], corner.at, both)) {
+      if (!tip && options_.distance && is_bend(chosen_[k], corner.at, both)) {
         continue;
       }
       if (tip || !is_blunt) {
