@@ -74,6 +74,18 @@ def check_mismatches(editor):
            f"contours: {more['mismatches']}")
 
 
+def check_field(editor):
+    """Curves of the field begin where the contours did, and still correspond if
+    they have as many points."""
+    before, after = editor.run("sample", "add_master Bold", "glyph o",
+                               "master Bold", "print",
+                               "action Curves from the field", "print")
+    starts = zip(before["contours"], after["contours"])
+    expect(all(abs(a[0][0] - b[0][0]) + abs(a[0][1] - b[0][1]) <= 2
+               for a, b in starts) and not after["mismatches"],
+           f"curves of the field: {after['mismatches']}, {after['contours']}")
+
+
 def check_between(editor):
     """The preview of a glyph between masters is that of a glyph made so."""
     editor.run(*(line.replace("M.ufo", "B.ufo") for line in NEW),
@@ -94,6 +106,7 @@ def main():
                         pathlib.Path(name))
         check_edits(editor)
         check_mismatches(editor)
+        check_field(editor)
         check_between(editor)
     finish()
 

@@ -20,6 +20,7 @@
 #include "model/error.hpp"
 #include "rom_file.hpp"
 #include "shape/points.hpp"
+#include "source/char_set.hpp"
 #include "stroke/nib.hpp"
 
 namespace inkcell::design::editor {
@@ -194,6 +195,16 @@ void Editor::begin(const fs::path& folder) {
                                                   : " changes that were") +
                                   " not saved"};
   const std::vector<std::string> order = glyph_order(project());
+  if (line_of_text(project(), preview.text).empty()) {
+    // A text of characters that the font has, or boxes would be shown.
+    preview.text.clear();
+    for (const std::string& name : order) {
+      const std::vector<char32_t>& unicodes = project().glyph(name)->unicodes;
+      if (!unicodes.empty() && preview.text.size() < 10) {
+        preview.text += gen::to_utf8(unicodes.front());
+      }
+    }
+  }
   for (const std::string& name : order) {
     if (!project().glyph(name)->contours.empty() && name != ".notdef") {
       show(name);

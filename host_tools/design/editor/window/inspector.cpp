@@ -275,8 +275,12 @@ void draw_masters(Editor& editor) {
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
-  for (const std::string& text : wrong) {
-    ImGui::TextWrapped("%s", text.c_str());
+  constexpr size_t kMost = 3;
+  for (size_t i = 0; i < wrong.size() && i < kMost; ++i) {
+    ImGui::TextWrapped("%s", wrong[i].c_str());
+  }
+  if (wrong.size() > kMost) {
+    ImGui::TextWrapped("... and %zu more", wrong.size() - kMost);
   }
   ImGui::PopStyleColor();
 }

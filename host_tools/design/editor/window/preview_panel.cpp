@@ -134,6 +134,9 @@ void draw_facts(const Preview& preview, bool cells) {
     ImGui::TextDisabled("Exact distance; the device's pixels follow");
     return;
   }
+  if (preview.glyph_points == 0) {
+    return;
+  }
   ImGui::Text("%zu bytes, %zu points", preview.glyph_bytes,
               preview.glyph_points);
   tooltip("The glyph's record in an Inkcell font of outlines");
