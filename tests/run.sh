@@ -154,7 +154,8 @@ build alone --preset host -DINKCELL_TESTS=OFF -DCMAKE_BUILD_TYPE=Debug \
 # sanitizers. So tests/CMakeLists.txt leaves folders out, and the fonts that
 # programs are built with come from the generator without sanitizers.
 slow='fonts|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
-build host-sanitize --preset host-sanitize "$fontgen" &&
+build host-sanitize --preset host-sanitize "$fontgen" \
+  -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld &&  # links in a sixth of the time
   run_tests host-sanitize --timeout 300 -E "^($slow)"
 
 build big-endian -DCMAKE_BUILD_TYPE=Release "$fontgen" \
