@@ -41,7 +41,7 @@ constexpr const char* kDefaultFont =
 constexpr int kReelColumns = 5;
 constexpr int kReelRows = 2;
 constexpr const char* kReelSize = "800x160";
-// Of a scene: its text is 8 px high there.
+// A scene of this size has text of 8 px.
 constexpr int kLeastReelWidth = 64;
 constexpr int kLeastReelHeight = 32;
 constexpr std::array<std::string_view, kReelColumns* kReelRows> kReel = {

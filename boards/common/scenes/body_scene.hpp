@@ -20,7 +20,7 @@ class BodyScene {
  public:
   static constexpr const char* kText = "soft type";
   static constexpr int32_t kMostLetters = 8;
-  /// Of distances around a letter: the range of a grid.
+  /// Around a letter: as far as the distances of a grid reach.
   static constexpr int32_t kMarginSamples = 4;
 
   /// [px to the em]

@@ -118,6 +118,7 @@ class Matcher {
 
   LoopMatch find() {
     set_least_costs();
+    set_rest(0, 0);
     best_.cost = kInfinity;
     // A good start first: others are soon known to be worse.
     size_t nearest = n_[1];
@@ -174,7 +175,7 @@ class Matcher {
     }
   }
 
-  // What each advance in one loop costs at least, whatever the other does.
+  // The least cost of each advance in one loop, over all of the other.
   void set_least_costs() {
     constexpr float kFar = std::numeric_limits<float>::infinity();
     least_[0].assign(n_[0] * most_[0], kFar);
@@ -195,7 +196,7 @@ class Matcher {
     }
   }
 
-  // What the way from each stop to the end of one loop costs at least.
+  // The least cost from each stop of a loop to its end.
   void set_rest(size_t k, size_t start) {
     const size_t n = n_[k];
     rest_[k].assign(n + 1, std::numeric_limits<float>::infinity());
@@ -218,7 +219,6 @@ class Matcher {
     sums_.assign((n + 1) * width, std::numeric_limits<float>::infinity());
     from_.assign((n + 1) * width, 0);
     sums_[0] = 0;
-    set_rest(0, 0);
     set_rest(1, start);
     for (size_t i = 0; i <= n; ++i) {
       for (size_t j = 0; j <= m; ++j) {

@@ -480,8 +480,7 @@ Value add_contour(const PointContour& contour) {
 Value draw_contour(const Editor& editor, const PointContour& contour) {
   const Project& project = editor.project();
   return add_contour(
-      in_direction_of(project, *editor.stored(), {contour})
-          .front());
+      in_direction_of(project, *editor.stored(), {contour}).front());
 }
 
 PointContour rectangle(Point a, Point b) {

@@ -170,8 +170,7 @@ class ShapeTool : public LineTool {
   }
   // What was drawn is selected.
   void finish(Editor& editor) override {
-    const size_t before =
-        own_contours(*editor.stored());
+    const size_t before = own_contours(*editor.stored());
     editor.commit();
     if (own_contours(*editor.glyph()) > before) {
       editor.select_nothing();
