@@ -40,8 +40,8 @@ let clock = true;  // whether the font has its characters
 function look() {
   const value = (id) => Number($(id).value);
   return {size, colour: 0, filter: $('filter').value, fit: $('fit').value, weight: value('weight'),
-    angle: value('angle'), effect: value('outline') ? 'outline' : 'none',
-    outline: value('outline'), glow: value('glow')};
+    angle: value('angle'), effect: value('stroke') ? 'stroke' : 'none',
+    stroke: value('stroke'), glow: value('glow')};
 }
 
 /** Draws text, and says below the display if it does not fit. */

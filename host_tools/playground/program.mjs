@@ -67,7 +67,7 @@ export function sampleOf(core, report, name, text, look) {
 /** @param {Sample} sample */
 export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
   const [preset] = FILTERS[look.filter ?? 'text'];
-  const {weight = 0, outline = 0, glow = 0} = /** @type {any} */ (look);
+  const {weight = 0, stroke = 0, glow = 0} = /** @type {any} */ (look);
   const filter = weight ? 'filter' : preset;
   const fit = outlines && !turn && look.fit !== 'none';
   const style = (/** @type {string} */ which) => `(${px}_px, ${which}${turn ? ', direction' : ''})`;
@@ -77,7 +77,7 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
     !outlines && '#include <inkcell/field/draw.hpp>',
     fit && '#include <inkcell/fit.hpp>',
     glow > 0 && '#include <inkcell/shadow.hpp>',
-    outline > 0 && '#include <inkcell/stroke.hpp>',
+    stroke > 0 && '#include <inkcell/stroke.hpp>',
     '', '#include <cstdio>', '', `#include "${name}.hpp"`, '', 'using namespace inkcell;', '',
     `uint8_t rows[${WIDTH} * ${rows} * 2];  // ${rows} rows of ${WIDTH} px, RGB565`,
     '', 'Status hello() {', '  Font font;',
@@ -96,10 +96,10 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
       `FitOptions{${look.fit === 'across'}}, fit));\n  style.set_fit(fit);`,
     glow > 0 && `  const Filter soft = glow_filter(Q6_10::from_raw(${q10(glow)}));` +
       `  // ${glow} px\n  canvas.set_colour(${GLOW});\n${draw(`Style${style('soft')}`)}`,
-    glow > 0 && outline > 0 && `  canvas.set_colour(0);\n${draw('style')}`,
+    glow > 0 && stroke > 0 && `  canvas.set_colour(0);\n${draw('style')}`,
     glow > 0 && '  canvas.set_colour(0xFFFF);',
-    outline > 0 && `  const Stroke stroke(${filter}, Q6_10::from_raw(${q10(outline)}));` +
-      `  // ${outline} px\n  style.set_effect(stroke);`,
+    stroke > 0 && `  const Stroke stroke(${filter}, Q6_10::from_raw(${q10(stroke)}));` +
+      `  // ${stroke} px\n  style.set_effect(stroke);`,
     `${draw('style')}  // {x, baseline}`,
     '  return canvas.status();  // now send the rows to your display', '}', '',
     mainOf(rows, false)]);
@@ -108,7 +108,7 @@ export function cppOf({name, outlines, px, look, turn, cpp, x, y, rows}) {
 /** @param {Sample} sample */
 export function cOf({name, px, look, turn, c, x, y, rows}) {
   const [, preset] = FILTERS[look.filter ?? 'text'];
-  const {weight = 0, outline = 0, glow = 0} = /** @type {any} */ (look);
+  const {weight = 0, stroke = 0, glow = 0} = /** @type {any} */ (look);
   const fit = !turn && look.fit !== 'none';
   const unit = `${Math.round(Math.cos(turn) * 2 ** 30)}, ${Math.round(Math.sin(turn) * 2 ** 30)}`;
   const make = (/** @type {string} */ filter, /** @type {string} */ style) => turn
@@ -132,7 +132,7 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
     fit && '  inkcell_fit_t fit;',
     glow > 0 && '  inkcell_filter_table_t soft_table;\n  inkcell_filter_t soft;\n' +
       '  inkcell_style_t glow;',
-    outline > 0 && '  inkcell_outline_t stroke;\n  inkcell_filter_t outer;',
+    stroke > 0 && '  inkcell_stroke_t stroke;\n  inkcell_filter_t outer;',
     `  inkcell_status_t status = inkcell_font_open(${name}, ${name}_size, &font);`,
     weight !== 0 && `  inkcell_filter_with_weight(&${preset}, ${q10(weight)}, &table, &filter); ` +
       `/* ${weight} px */`,
@@ -142,10 +142,10 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
       '  if (status == INKCELL_OK) {\n    inkcell_style_set_fit(&style, &fit);\n  }',
     glow > 0 && `  inkcell_filter_glow(${q10(glow)}, &soft_table, &soft); /* ${glow} px */\n` +
       `${tried(make('&soft', '&glow'))}\n  target.colour = ${GLOW};\n${draw('glow')}`,
-    glow > 0 && outline > 0 && `  target.colour = 0;\n${draw('style')}`,
+    glow > 0 && stroke > 0 && `  target.colour = 0;\n${draw('style')}`,
     glow > 0 && '  target.colour = 0xFFFF;',
-    outline > 0 && `  inkcell_outline_make(&filter, ${q10(outline)}, INKCELL_OUTLINE_CENTRED, ` +
-      `&stroke, &outer); /* ${outline} px */\n  inkcell_style_set_outline(&style, &stroke);`,
+    stroke > 0 && `  inkcell_stroke_make(&filter, ${q10(stroke)}, INKCELL_STROKE_CENTRED, ` +
+      `&stroke, &outer); /* ${stroke} px */\n  inkcell_style_set_stroke(&style, &stroke);`,
     draw('style'),
     '  return status; /* now send the rows to your display */', '}', '', mainOf(rows, true)]);
 }

@@ -90,7 +90,7 @@ export class Screen {
       lines.forEach((line, i) =>
         core.draw(this.display, soft, line, ...place(line, i)));
       this.display.kind = 0;
-      if (look.effect === 'outline') {
+      if (look.effect === 'stroke') {
         const body = this.fitted({...look, effect: 'none'}, this.kind.paper);
         lines.forEach((line, i) => core.draw(this.display, body, line, ...place(line, i)));
       }

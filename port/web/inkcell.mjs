@@ -12,8 +12,8 @@ export const KINDS = ['plain', 'dithered', 'sub-pixels'];
 export const FILTERS = ['text', 'motion', 'paper-display', 'paper-body', 'area',
   'shadow', 'glow'];
 export const FITS = ['none', 'heights', 'across'];
-export const EFFECTS = ['none', 'outline', 'bilevel', 'edge-contrast',
-  'supersampling'];
+export const EFFECTS = ['none', 'stroke', 'bilevel', 'edge-contrast',
+  'supersample'];
 const STATUS = ['ok', 'bad magic', 'bad version', 'corrupt', 'no glyph',
   'buffer small', 'misaligned', 'unsupported', 'bad argument', 'beyond band'];
 const BITS = [8, 8, 4, 2, 1, 1, 16, 24, 32];
@@ -30,7 +30,7 @@ const JOB_BYTES = 96;
  * @property {number} [levels]
  * @property {number} [angle] degrees, counter-clockwise
  * @property {string} [effect]
- * @property {number} [outline] px
+ * @property {number} [stroke] px
  */
 
 /** The memory of a display. */
@@ -101,7 +101,7 @@ export function jobWords(display, look, x, y) {
     turned ? Math.round(Math.sin(angle) * 2 ** 30) : 0,
     index(FILTERS, look.filter || 'text'), Math.round((look.weight || 0) * 1024),
     turned ? 0 : index(FITS, look.fit || 'none'), look.levels || 0,
-    index(EFFECTS, look.effect || 'none'), Math.round((look.outline || 0) * 1024),
+    index(EFFECTS, look.effect || 'none'), Math.round((look.stroke || 0) * 1024),
   ]);
 }
 

@@ -5,12 +5,12 @@ typedef struct {
   inkcell_font_t font;
   inkcell_style_t style;
   inkcell_filter_table_t table;
-  inkcell_outline_t outline;
+  inkcell_stroke_t stroke;
   inkcell_fit_t fit;
-  inkcell_bilevel_options_t bilevel;
+  inkcell_bilevel_t bilevel;
   inkcell_edge_contrast_t contrast;
-  inkcell_supersampling_t supersampling;
-  inkcell_lcd_options_t lcd;
+  inkcell_supersample_t supersample;
+  inkcell_lcd_t lcd;
 } Look;
 
 static inkcell_filter_t filter_of(const web_job_t* job, Look* look) {
@@ -35,22 +35,22 @@ static inkcell_filter_t filter_of(const web_job_t* job, Look* look) {
 
 static void set_effect(const web_job_t* job, Look* look) {
   if (job->kind == WEB_SUB_PIXELS) {
-    look->lcd = (inkcell_lcd_options_t){INKCELL_SUB_PIXELS_RGB, 255};
+    look->lcd = (inkcell_lcd_t){INKCELL_SUB_PIXELS_RGB, 255};
     inkcell_style_set_lcd(&look->style, &look->lcd);
-  } else if (job->effect == WEB_OUTLINE) {
-    inkcell_style_set_outline(&look->style, &look->outline);
+  } else if (job->effect == WEB_STROKE) {
+    inkcell_style_set_stroke(&look->style, &look->stroke);
   } else if (job->effect == WEB_BILEVEL) {
     const int32_t fitted_q10 =
         job->fit == WEB_FIT_ACROSS ? inkcell_fit_bilevel_weight(&look->fit) : 0;
     look->bilevel =
-        (inkcell_bilevel_options_t){2, (int16_t)(fitted_q10 - job->weight_q10)};
+        (inkcell_bilevel_t){2, (int16_t)(fitted_q10 - job->weight_q10)};
     inkcell_style_set_bilevel(&look->style, &look->bilevel);
   } else if (job->effect == WEB_EDGE_CONTRAST) {
     look->contrast = (inkcell_edge_contrast_t){90, 96};
     inkcell_style_set_edge_contrast(&look->style, &look->contrast);
-  } else if (job->effect == WEB_SUPERSAMPLING) {
-    look->supersampling = (inkcell_supersampling_t){870};
-    inkcell_style_set_supersampling(&look->style, &look->supersampling);
+  } else if (job->effect == WEB_SUPERSAMPLE) {
+    look->supersample = (inkcell_supersample_t){870};
+    inkcell_style_set_supersample(&look->style, &look->supersample);
   }
 }
 
@@ -61,10 +61,10 @@ static inkcell_status_t open_look(const web_job_t* job, Look* look) {
     return status;
   }
   inkcell_filter_t filter = filter_of(job, look);
-  if (job->effect == WEB_OUTLINE) {
+  if (job->effect == WEB_STROKE) {
     const inkcell_filter_t edge = filter;
-    inkcell_outline_make(&edge, (int16_t)job->width_q10,
-                         INKCELL_OUTLINE_CENTRED, &look->outline, &filter);
+    inkcell_stroke_make(&edge, (int16_t)job->width_q10, INKCELL_STROKE_CENTRED,
+                        &look->stroke, &filter);
   }
   status =
       job->cosine_q30 == 0 && job->sine_q30 == 0
@@ -81,7 +81,7 @@ static inkcell_status_t open_look(const web_job_t* job, Look* look) {
   }
   if (status == INKCELL_OK) {
     set_effect(job, look);
-    status = inkcell_style_check_effect(&look->style, &look->font);
+    status = inkcell_font_check(&look->font, &look->style);
   }
   return status;
 }
@@ -190,7 +190,7 @@ int32_t web_has(const web_job_t* job, uint32_t code_point) {
   inkcell_font_t font;
   uint16_t glyph;
   return inkcell_font_open(job->rom, job->rom_size, &font) == INKCELL_OK &&
-         inkcell_font_glyph(&font, code_point, &glyph) == INKCELL_OK;
+         inkcell_font_glyph_of(&font, code_point, &glyph) == INKCELL_OK;
 }
 
 uint32_t web_sizes(const web_job_t* job) {

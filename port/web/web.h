@@ -24,10 +24,10 @@ enum {
 enum { WEB_FIT_NONE = 0, WEB_FIT_HEIGHTS = 1, WEB_FIT_ACROSS = 2 };
 enum {
   WEB_NO_EFFECT = 0,
-  WEB_OUTLINE = 1,
+  WEB_STROKE = 1,
   WEB_BILEVEL = 2,
   WEB_EDGE_CONTRAST = 3,
-  WEB_SUPERSAMPLING = 4
+  WEB_SUPERSAMPLE = 4
 };
 
 /// What to draw, and where. In WebAssembly every member has four bytes: a page
@@ -54,7 +54,7 @@ typedef struct web_job_t {
   int32_t fit;
   int32_t levels;  // of fitting: 0, 2 or 4
   int32_t effect;
-  int32_t width_q10;  // of WEB_OUTLINE [px]
+  int32_t width_q10;  // of WEB_STROKE [px]
 } web_job_t;
 
 /// Reads the whole font.

@@ -232,8 +232,8 @@ TEST(a_paragraph_tells_its_pixels) {
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &rect);
   inkcell_rect_t pixels;
-  inkcell_text_box_pixels(&box, kLongText, INKCELL_TERMINATED, nullptr, 0,
-                          &pixels);
+  inkcell_text_box_box(&box, kLongText, INKCELL_TERMINATED, nullptr, 0,
+                       &pixels);
   const Font same_font = open();
   const Style same_style(14_px, kFilterText);
   const Rect same = TextBox(same_font, same_style,

@@ -54,7 +54,7 @@ TEST(a_font_that_is_refused_is_empty) {
   CHECK_EQ(inkcell_font_open(bytes, sizeof bytes, &font), INKCELL_BAD_MAGIC);
   CHECK_EQ(inkcell_font_glyph_count(&font), 0);
   uint16_t glyph = 7;
-  CHECK_EQ(inkcell_font_glyph(&font, 'A', &glyph), INKCELL_NO_GLYPH);
+  CHECK_EQ(inkcell_font_glyph_of(&font, 'A', &glyph), INKCELL_NO_GLYPH);
   CHECK_EQ(glyph, 0);
   inkcell_glyph_metrics_t metrics;
   CHECK_EQ(inkcell_font_glyph_metrics(&font, 0, &metrics), INKCELL_NO_GLYPH);
@@ -165,7 +165,7 @@ TEST(motions_and_splats_are_checked) {
   static inkcell_motion_blur_t blur;
   CHECK_EQ(inkcell_motion_blur_make(33 << 6, 0, &blur), INKCELL_BAD_ARGUMENT);
   static uint32_t sums[64];
-  inkcell_splats_t splats;
-  CHECK_EQ(inkcell_splats_make(sums, 63, 1331, &splats), INKCELL_BUFFER_SMALL);
-  CHECK_EQ(inkcell_splats_make(sums, 64, 100, &splats), INKCELL_BAD_ARGUMENT);
+  inkcell_splat_t splat;
+  CHECK_EQ(inkcell_splat_make(sums, 63, 1331, &splat), INKCELL_BUFFER_SMALL);
+  CHECK_EQ(inkcell_splat_make(sums, 64, 100, &splat), INKCELL_BAD_ARGUMENT);
 }

@@ -131,13 +131,13 @@ core.open(readFileSync(`${folder}/DejaVuSerif.bin`));
 const white = {size: 27, filter: 'text', colour: 0xffffff, fit: 'heights'};
 await compareDrawn('the text', 'Größe 12', 4, 31, white);
 await page.fill('#weight', '0.4');
-await page.fill('#outline', '1');
+await page.fill('#stroke', '1');
 await page.fill('#glow', '2');
 await again(page);
 const bolder = {...white, weight: 0.4};
-await compareDrawn('outline and glow', 'Größe 12', 4, 31,
+await compareDrawn('stroke and glow', 'Größe 12', 4, 31,
   {...white, filter: 'glow', weight: 2, fit: 'none', colour: 0xff5c18}, {...bolder, colour: 0},
-  {...bolder, effect: 'outline', outline: 1});
+  {...bolder, effect: 'stroke', stroke: 1});
 await page.click('#plain');
 await page.fill('#angle', '20');
 // The programs follow the displays at once.

@@ -36,7 +36,7 @@ const oled = new Screen(null, {format: 'mono-pages', width: 128, height: 64, ink
 async function compare(what, look) {
   oled.clear();
   oled.text(core, {filter: 'text', fit: 'heights', weight: 0, angle: 0, effect: 'none',
-    outline: 0, glow: 0, ...look}, 'Hello, world');
+    stroke: 0, glow: 0, ...look}, 'Hello, world');
   const wanted = Array.from({length: 128 * 64}, (_, i) =>
     oled.display.word(i % 128, Math.floor(i / 128)));
   assert.ok(wanted.includes(1), what);
@@ -59,12 +59,12 @@ await compare('28 px', {size: 28});
 await page.focus('#angle');
 for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
 await compare('turned', {size: 28, angle: 5});
-await page.focus('#outline');
+await page.focus('#stroke');
 for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowRight');
-await compare('an outline', {size: 28, angle: 5, outline: 1, effect: 'outline'});
+await compare('a stroke', {size: 28, angle: 5, stroke: 1, effect: 'stroke'});
 await page.focus('#glow');
 for (let i = 0; i < 8; ++i) await page.keyboard.press('ArrowRight');
-await compare('a glow', {size: 28, angle: 5, outline: 1, effect: 'outline', glow: 2});
+await compare('a glow', {size: 28, angle: 5, stroke: 1, effect: 'stroke', glow: 2});
 await page.screenshot({path: `${folder}/look.png`});
 
 // The link brings them back.

@@ -34,9 +34,9 @@ for (const format of FORMATS) {
   }
   for (const effect of EFFECTS) {
     for (const size of [11, 37.5]) {
-      add(format, 'plain', {effect, size, outline: 1.25, fit: 'heights'});
+      add(format, 'plain', {effect, size, stroke: 1.25, fit: 'heights'});
     }
-    add(format, 'plain', {effect, outline: 1.25, fit: 'heights', weight: 0.4});
+    add(format, 'plain', {effect, stroke: 1.25, fit: 'heights', weight: 0.4});
   }
   for (const progress of [0, 0.4, 1]) {
     add(format, 'plain', {size: 40}, {width: 30, height: 44, baseline: 38,

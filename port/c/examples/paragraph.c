@@ -30,11 +30,11 @@ inkcell_status_t draw_paragraph(
   const inkcell_rect_t rect = {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4};
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &rect);
-  box.layout.align = INKCELL_ALIGN_CENTRE;
-  box.layout.ellipsis = INKCELL_ELLIPSIS_END;
+  box.options.align = INKCELL_ALIGN_CENTRE;
+  box.options.ellipsis = INKCELL_ELLIPSIS_END;
   box.vertical = INKCELL_VERTICAL_MIDDLE;
 
-  inkcell_line_t lines[6];
+  inkcell_text_line_t lines[6];
   size_t count = 0;
   status = inkcell_text_box_lay_out(&box, text, INKCELL_TERMINATED, lines,
                                     sizeof lines / sizeof lines[0], &count);

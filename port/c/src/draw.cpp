@@ -28,14 +28,14 @@ void inkcell_draw_glyph(const inkcell_font_t* font,
       point_of(x_q6, y_q6), glyph);
 }
 
-void inkcell_draw_run(const inkcell_font_t* font,
-                      const inkcell_positioned_glyph_t* glyphs,
-                      size_t count,
-                      const inkcell_style_t* style,
-                      int32_t x_q6,
-                      int32_t y_q6,
-                      const inkcell_sink_t* sink,
-                      const inkcell_workspace_t* ram) {
+void inkcell_draw_glyphs(const inkcell_font_t* font,
+                         const inkcell_positioned_glyph_t* glyphs,
+                         size_t count,
+                         const inkcell_style_t* style,
+                         int32_t x_q6,
+                         int32_t y_q6,
+                         const inkcell_sink_t* sink,
+                         const inkcell_workspace_t* ram) {
   Painter(ref(sink), workspace_of(ram)).glyphs(ref(font), ref(style),
       point_of(x_q6, y_q6), {cpp(glyphs), count});
 }
@@ -63,13 +63,13 @@ void inkcell_glyph_box(const inkcell_font_t* font,
       glyph);
 }
 
-void inkcell_text_pixels(const inkcell_font_t* font,
-                         const char* text,
-                         size_t size,
-                         const inkcell_style_t* style,
-                         int32_t x_q6,
-                         int32_t y_q6,
-                         inkcell_rect_t* out) {
+void inkcell_box(const inkcell_font_t* font,
+                 const char* text,
+                 size_t size,
+                 const inkcell_style_t* style,
+                 int32_t x_q6,
+                 int32_t y_q6,
+                 inkcell_rect_t* out) {
   ref(out) = Painter().box(ref(font), ref(style), point_of(x_q6, y_q6),
       text_of(text, size));
 }

@@ -5,37 +5,35 @@
 using namespace inkcell;
 using namespace inkcell::c;
 
-void inkcell_outline_make(const inkcell_filter_t* edge,
-                          int16_t width_q10,
-                          uint8_t place,
-                          inkcell_outline_t* outline,
-                          inkcell_filter_t* outer) {
-  const Stroke& stroke = *new (into(outline)) Stroke(filter_of(edge),
-      Q6_10::from_raw(width_q10),
+void inkcell_stroke_make(const inkcell_filter_t* edge,
+                         int16_t width_q10,
+                         uint8_t place,
+                         inkcell_stroke_t* stroke,
+                         inkcell_filter_t* outer) {
+  new (into(stroke)) Stroke(filter_of(edge), Q6_10::from_raw(width_q10),
       static_cast<StrokePlace>(place));
-  *outer = {&stroke.outer};
+  *outer = {&ref(stroke).outer};
 }
 
-void inkcell_style_set_outline(inkcell_style_t* style,
-                               const inkcell_outline_t* outline) {
-  ref(style).set_effect(ref(outline));
+void inkcell_style_set_stroke(inkcell_style_t* style,
+                              const inkcell_stroke_t* stroke) {
+  ref(style).set_effect(ref(stroke));
 }
 
-void inkcell_style_set_outline_and_fill(inkcell_style_t* style,
-                                        const inkcell_outline_t* outline,
-                                        inkcell_outline_and_fill_t* both) {
-  ref(style).set_effect(*new (into(both)) StrokeAndFill(ref(outline),
+void inkcell_style_set_stroke_and_fill(inkcell_style_t* style,
+                                       const inkcell_stroke_t* stroke,
+                                       inkcell_stroke_and_fill_t* both) {
+  ref(style).set_effect(*new (into(both)) StrokeAndFill(ref(stroke),
       cpp(both->fill)));
 }
 
-void inkcell_style_set_lcd(inkcell_style_t* style,
-                           inkcell_lcd_options_t* options) {
+void inkcell_style_set_lcd(inkcell_style_t* style, inkcell_lcd_t* options) {
   ref(style).set_effect(made<Lcd>(options->effect,
       static_cast<SubPixels>(options->order), options->colour));
 }
 
 void inkcell_style_set_bilevel(inkcell_style_t* style,
-                               inkcell_bilevel_options_t* options) {
+                               inkcell_bilevel_t* options) {
   ref(style).set_effect(made<Bilevel>(options->effect, options->levels,
       Q6_10::from_raw(options->threshold_q10)));
 }
@@ -46,8 +44,8 @@ void inkcell_style_set_edge_contrast(inkcell_style_t* style,
       options->thin));
 }
 
-void inkcell_style_set_supersampling(inkcell_style_t* style,
-                                     inkcell_supersampling_t* options) {
+void inkcell_style_set_supersample(inkcell_style_t* style,
+                                   inkcell_supersample_t* options) {
   ref(style).set_effect(made<Supersample>(options->effect,
       Q6_10::from_raw(options->radius_q10)));
 }
@@ -82,10 +80,10 @@ void inkcell_style_set_motion_blur(inkcell_style_t* style,
   ref(style).set_effect(ref(options));
 }
 
-inkcell_status_t inkcell_splats_make(uint32_t* sums,
-                                     size_t count,
-                                     int16_t radius_q10,
-                                     inkcell_splats_t* out) {
+inkcell_status_t inkcell_splat_make(uint32_t* sums,
+                                    size_t count,
+                                    int16_t radius_q10,
+                                    inkcell_splat_t* out) {
   if (count < kMinSplatSums) {
     return INKCELL_BUFFER_SMALL;
   }
@@ -97,7 +95,7 @@ inkcell_status_t inkcell_splats_make(uint32_t* sums,
   return INKCELL_OK;
 }
 
-void inkcell_style_set_splats(inkcell_style_t* style,
-                              const inkcell_splats_t* options) {
+void inkcell_style_set_splat(inkcell_style_t* style,
+                             const inkcell_splat_t* options) {
   ref(style).set_effect(ref(options));
 }

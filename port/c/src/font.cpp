@@ -41,9 +41,9 @@ void inkcell_font_range(const inkcell_font_t* font, inkcell_font_range_t* out) {
   ref(out) = ref(font).range();
 }
 
-inkcell_status_t inkcell_font_glyph(const inkcell_font_t* font,
-                                    uint32_t code_point,
-                                    uint16_t* out) {
+inkcell_status_t inkcell_font_glyph_of(const inkcell_font_t* font,
+                                       uint32_t code_point,
+                                       uint16_t* out) {
   return code(ref(font).glyph_of(code_point, *out));
 }
 

@@ -13,52 +13,53 @@ void inkcell_bidi_forget(inkcell_bidi_t* bidi) {
   ref(bidi).forget();
 }
 
-void inkcell_layout_init(inkcell_layout_t* layout,
-                         const inkcell_font_t* font,
-                         const inkcell_style_t* style) {
-  ref(layout) = LayoutOptions(ref(font), ref(style));
+void inkcell_layout_options_init(inkcell_layout_options_t* options,
+                                 const inkcell_font_t* font,
+                                 const inkcell_style_t* style) {
+  ref(options) = LayoutOptions(ref(font), ref(style));
 }
 
-void inkcell_layout_set_bidi(inkcell_layout_t* layout, inkcell_bidi_t* bidi) {
-  ref(layout).set_bidi(ref(bidi));
+void inkcell_layout_options_set_bidi(inkcell_layout_options_t* options,
+                                     inkcell_bidi_t* bidi) {
+  ref(options).set_bidi(ref(bidi));
 }
 
-int32_t inkcell_layout_line_height(const inkcell_layout_t* layout) {
-  return line_height(ref(layout)).raw;
+int32_t inkcell_line_height(const inkcell_layout_options_t* options) {
+  return line_height(ref(options)).raw;
 }
 
-int32_t inkcell_layout_baseline(const inkcell_layout_t* layout) {
-  return baseline(ref(layout)).raw;
+int32_t inkcell_baseline(const inkcell_layout_options_t* options) {
+  return baseline(ref(options)).raw;
 }
 
-bool inkcell_next_line(const inkcell_layout_t* layout,
+bool inkcell_next_line(const inkcell_layout_options_t* options,
                        const char* text,
                        size_t size,
                        int32_t width_q6,
-                       inkcell_line_t* line) {
-  return next_line(ref(layout), text_of(text, size), Q26_6::from_raw(width_q6),
+                       inkcell_text_line_t* line) {
+  return next_line(ref(options), text_of(text, size), Q26_6::from_raw(width_q6),
       ref(line));
 }
 
-void inkcell_shorten_line(const inkcell_layout_t* layout,
-                          const char* text,
-                          size_t size,
-                          int32_t width_q6,
-                          inkcell_line_t* line) {
-  shorten(ref(layout), text_of(text, size), Q26_6::from_raw(width_q6),
+void inkcell_shorten(const inkcell_layout_options_t* options,
+                     const char* text,
+                     size_t size,
+                     int32_t width_q6,
+                     inkcell_text_line_t* line) {
+  shorten(ref(options), text_of(text, size), Q26_6::from_raw(width_q6),
       ref(line));
 }
 
-inkcell_status_t inkcell_lay_out_line(const inkcell_layout_t* layout,
+inkcell_status_t inkcell_lay_out_line(const inkcell_layout_options_t* options,
                                       const char* text,
                                       size_t size,
-                                      const inkcell_line_t* line,
+                                      const inkcell_text_line_t* line,
                                       int32_t width_q6,
                                       inkcell_positioned_glyph_t* out,
                                       size_t capacity,
                                       size_t* count) {
   Span<const PositionedGlyph> glyphs;
-  const Status status = lay_out(ref(layout), text_of(text, size), ref(line),
+  const Status status = lay_out(ref(options), text_of(text, size), ref(line),
       Q26_6::from_raw(width_q6), {cpp(out), capacity}, glyphs);
   *count = glyphs.size;
   return code(status);

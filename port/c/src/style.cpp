@@ -42,8 +42,8 @@ void inkcell_style_clear_effect(inkcell_style_t* style) {
   ref(style).clear_effect();
 }
 
-inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
-                                            const inkcell_font_t* font) {
+inkcell_status_t inkcell_font_check(const inkcell_font_t* font,
+                                    const inkcell_style_t* style) {
   return code(ref(font).check(ref(style)));
 }
 

@@ -15,7 +15,7 @@ void inkcell_text_box_init(inkcell_text_box_t* box,
 inkcell_status_t inkcell_text_box_lay_out(const inkcell_text_box_t* box,
                                           const char* text,
                                           size_t size,
-                                          inkcell_line_t* out,
+                                          inkcell_text_line_t* out,
                                           size_t capacity,
                                           size_t* count) {
   Span<const TextLine> lines;
@@ -30,25 +30,25 @@ void inkcell_text_box_draw(const inkcell_text_box_t* box,
                            size_t size,
                            const inkcell_sink_t* sink,
                            const inkcell_workspace_t* ram,
-                           const inkcell_line_t* lines,
+                           const inkcell_text_line_t* lines,
                            size_t line_count) {
   ref(box).draw(text_of(text, size), ref(sink), workspace_of(ram), {cpp(lines),
       line_count});
 }
 
-void inkcell_text_box_pixels(const inkcell_text_box_t* box,
-                             const char* text,
-                             size_t size,
-                             const inkcell_line_t* lines,
-                             size_t line_count,
-                             inkcell_rect_t* out) {
+void inkcell_text_box_box(const inkcell_text_box_t* box,
+                          const char* text,
+                          size_t size,
+                          const inkcell_text_line_t* lines,
+                          size_t line_count,
+                          inkcell_rect_t* out) {
   ref(out) = ref(box).box(text_of(text, size), {cpp(lines), line_count});
 }
 
 void inkcell_text_box_measure(const inkcell_text_box_t* box,
                               const char* text,
                               size_t size,
-                              const inkcell_line_t* lines,
+                              const inkcell_text_line_t* lines,
                               size_t line_count,
                               inkcell_text_size_t* out) {
   ref(out) = ref(box).measure(text_of(text, size), {cpp(lines), line_count});
@@ -59,7 +59,7 @@ void inkcell_text_box_hit(const inkcell_text_box_t* box,
                           size_t size,
                           int32_t x,
                           int32_t y,
-                          const inkcell_line_t* lines,
+                          const inkcell_text_line_t* lines,
                           size_t line_count,
                           inkcell_text_place_t* out) {
   ref(out) = ref(box).hit(text_of(text, size), x, y, {cpp(lines), line_count});
@@ -69,45 +69,48 @@ void inkcell_text_box_caret(const inkcell_text_box_t* box,
                             const char* text,
                             size_t size,
                             const inkcell_text_place_t* place,
-                            const inkcell_line_t* lines,
+                            const inkcell_text_line_t* lines,
                             size_t line_count,
                             inkcell_rect_t* out) {
   ref(out) = ref(box).caret(text_of(text, size), ref(place), {cpp(lines),
       line_count});
 }
 
-inkcell_status_t inkcell_label_make(const inkcell_layout_t* layout,
-                                    const char* text,
-                                    size_t size,
-                                    const inkcell_rect_t* window,
-                                    inkcell_positioned_glyph_t* room,
-                                    size_t capacity,
-                                    inkcell_label_t* out) {
+inkcell_status_t inkcell_scrolling_label_make(
+    const inkcell_layout_options_t* options,
+    const char* text,
+    size_t size,
+    const inkcell_rect_t* window,
+    inkcell_positioned_glyph_t* room,
+    size_t capacity,
+    inkcell_scrolling_label_t* out) {
   ref(out) = {};
-  return code(ScrollingLabel::make(ref(layout), text_of(text, size),
+  return code(ScrollingLabel::make(ref(options), text_of(text, size),
       ref(window), {cpp(room), capacity}, ref(out)));
 }
 
-int32_t inkcell_label_width(const inkcell_label_t* label) {
+int32_t inkcell_scrolling_label_width(const inkcell_scrolling_label_t* label) {
   return ref(label).width().raw;
 }
 
-bool inkcell_label_needs_scrolling(const inkcell_label_t* label) {
+bool inkcell_scrolling_label_needs_scrolling(
+    const inkcell_scrolling_label_t* label) {
   return ref(label).needs_scrolling();
 }
 
-void inkcell_label_draw(const inkcell_label_t* label,
-                        int32_t scroll_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram) {
+void inkcell_scrolling_label_draw(const inkcell_scrolling_label_t* label,
+                                  int32_t scroll_q6,
+                                  const inkcell_sink_t* sink,
+                                  const inkcell_workspace_t* ram) {
   ref(label).draw(Q26_6::from_raw(scroll_q6), ref(sink), workspace_of(ram));
 }
 
-void inkcell_label_draw_endless(const inkcell_label_t* label,
-                                int32_t scroll_q6,
-                                int32_t gap_q6,
-                                const inkcell_sink_t* sink,
-                                const inkcell_workspace_t* ram) {
+void inkcell_scrolling_label_draw_endless(
+    const inkcell_scrolling_label_t* label,
+    int32_t scroll_q6,
+    int32_t gap_q6,
+    const inkcell_sink_t* sink,
+    const inkcell_workspace_t* ram) {
   ref(label).draw_endless(Q26_6::from_raw(scroll_q6), Q26_6::from_raw(gap_q6),
       ref(sink), workspace_of(ram));
 }

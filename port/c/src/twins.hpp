@@ -159,11 +159,11 @@ struct CppOf<inkcell_prepared_glyph_t> {
   using Type = PreparedGlyph;
 };
 template <>
-struct CppOf<inkcell_outline_t> {
+struct CppOf<inkcell_stroke_t> {
   using Type = Stroke;
 };
 template <>
-struct CppOf<inkcell_outline_and_fill_t> {
+struct CppOf<inkcell_stroke_and_fill_t> {
   using Type = StrokeAndFill;
 };
 template <>
@@ -175,7 +175,7 @@ struct CppOf<inkcell_motion_blur_t> {
   using Type = MotionBlur;
 };
 template <>
-struct CppOf<inkcell_splats_t> {
+struct CppOf<inkcell_splat_t> {
   using Type = Splat;
 };
 template <>
@@ -183,11 +183,11 @@ struct CppOf<inkcell_bidi_t> {
   using Type = Bidi;
 };
 template <>
-struct CppOf<inkcell_layout_t> {
+struct CppOf<inkcell_layout_options_t> {
   using Type = LayoutOptions;
 };
 template <>
-struct CppOf<inkcell_line_t> {
+struct CppOf<inkcell_text_line_t> {
   using Type = TextLine;
 };
 template <>
@@ -203,7 +203,7 @@ struct CppOf<inkcell_text_size_t> {
   using Type = TextSize;
 };
 template <>
-struct CppOf<inkcell_label_t> {
+struct CppOf<inkcell_scrolling_label_t> {
   using Type = ScrollingLabel;
 };
 template <>

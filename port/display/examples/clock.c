@@ -6,7 +6,7 @@
 //   u8g2_DrawGlyph(&u8g2, x, y, '7')   inkcell_outline_morph_draw(), which
 //   takes
 //                                      x and y in 1/64 px, and the progress
-//   tft.setRotation(1)                 .rotation = INKCELL_ROTATE_QUARTER
+//   tft.setRotation(1)                 .rotation = INKCELL_ROTATION_QUARTER
 //   tft.fillScreen(paper)              inkcell_run_strips(&loop, NULL)
 #include <fonts/digits_c.h>
 #include <inkcell/inkcell.h>
@@ -56,10 +56,10 @@ static inkcell_status_t set(screen_t* screen, uint32_t from, uint32_t to) {
   for (int i = 0; i < 4; ++i) {
     uint16_t a;
     uint16_t b;
-    TRY(inkcell_font_glyph(&screen->font, '0' + from / minutes[i] % steps[i],
-                           &a));
-    TRY(inkcell_font_glyph(&screen->font, '0' + to / minutes[i] % steps[i],
-                           &b));
+    TRY(inkcell_font_glyph_of(&screen->font, '0' + from / minutes[i] % steps[i],
+                              &a));
+    TRY(inkcell_font_glyph_of(&screen->font, '0' + to / minutes[i] % steps[i],
+                              &b));
     // A pair that the font does not hold changes at once.
     if (inkcell_outline_morph_open(&screen->font, a, b, &screen->digits[i]) !=
         INKCELL_OK) {
@@ -76,7 +76,7 @@ static inkcell_status_t run(void) {
                                          .wait_ms = wait_ms},
                                  .width = 240,
                                  .height = 320,
-                                 .rotation = INKCELL_ROTATE_QUARTER,
+                                 .rotation = INKCELL_ROTATION_QUARTER,
                                  .mirror_columns = true,  // as most modules
                                  .blue_first = true};
   screen_t screen = {.progress_q16 = 0};

@@ -75,8 +75,8 @@ static inkcell_status_t run(void) {
   for (uint32_t count = 0;; ++count) {
     screen.value = read_temperature();
     inkcell_rect_t box;
-    inkcell_text_pixels(&screen.font, screen.value, INKCELL_TERMINATED,
-                        &screen.large, INKCELL_Q6(10), INKCELL_Q6(120), &box);
+    inkcell_box(&screen.font, screen.value, INKCELL_TERMINATED, &screen.large,
+                INKCELL_Q6(10), INKCELL_Q6(120), &box);
     const bool is_full = count % 100 == 0;
     inkcell_rect_t part;
     inkcell_bounding_box(&last, &box, &part);

@@ -62,15 +62,15 @@ void inkcell_glyph_cache_draw_text(inkcell_glyph_cache_t* cache,
                                    const inkcell_sink_t* sink,
                                    const inkcell_workspace_t* ram);
 
-void inkcell_glyph_cache_draw_run(inkcell_glyph_cache_t* cache,
-                                  const inkcell_font_t* font,
-                                  const inkcell_positioned_glyph_t* glyphs,
-                                  size_t count,
-                                  const inkcell_style_t* style,
-                                  int32_t x_q6,
-                                  int32_t y_q6,
-                                  const inkcell_sink_t* sink,
-                                  const inkcell_workspace_t* ram);
+void inkcell_glyph_cache_draw_glyphs(inkcell_glyph_cache_t* cache,
+                                     const inkcell_font_t* font,
+                                     const inkcell_positioned_glyph_t* glyphs,
+                                     size_t count,
+                                     const inkcell_style_t* style,
+                                     int32_t x_q6,
+                                     int32_t y_q6,
+                                     const inkcell_sink_t* sink,
+                                     const inkcell_workspace_t* ram);
 
 void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
                                     const inkcell_face_t* face,

@@ -56,10 +56,10 @@ inkcell_status_t inkcell_display_wait(void* display);
 
 /// The rotation of the picture on the panel, clockwise.
 enum {
-  INKCELL_ROTATE_NONE = 0,
-  INKCELL_ROTATE_QUARTER = 1,
-  INKCELL_ROTATE_HALF = 2,
-  INKCELL_ROTATE_THREE_QUARTERS = 3
+  INKCELL_ROTATION_NONE = 0,
+  INKCELL_ROTATION_QUARTER = 1,
+  INKCELL_ROTATION_HALF = 2,
+  INKCELL_ROTATION_THREE_QUARTERS = 3
 };
 
 /// A panel of RGB565 with ST7735, ST7789, ILI9341 or GC9A01, as in

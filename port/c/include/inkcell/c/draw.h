@@ -63,14 +63,14 @@ void inkcell_draw_glyph(const inkcell_font_t* font,
 
 /// Draws `count` glyphs that are laid out, along the style's direction. For a
 /// screen in many strips: lay out once, draw for each.
-void inkcell_draw_run(const inkcell_font_t* font,
-                      const inkcell_positioned_glyph_t* glyphs,
-                      size_t count,
-                      const inkcell_style_t* style,
-                      int32_t x_q6,
-                      int32_t y_q6,
-                      const inkcell_sink_t* sink,
-                      const inkcell_workspace_t* ram);
+void inkcell_draw_glyphs(const inkcell_font_t* font,
+                         const inkcell_positioned_glyph_t* glyphs,
+                         size_t count,
+                         const inkcell_style_t* style,
+                         int32_t x_q6,
+                         int32_t y_q6,
+                         const inkcell_sink_t* sink,
+                         const inkcell_workspace_t* ram);
 
 /// The same for runs of several fonts. Positions are in units of `face`;
 /// `fallback`, of `fallback_count`, has the faces of other glyphs.
@@ -94,13 +94,13 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        inkcell_rect_t* out);
 
 /// The same of inkcell_draw_text().
-void inkcell_text_pixels(const inkcell_font_t* font,
-                         const char* text,
-                         size_t size,
-                         const inkcell_style_t* style,
-                         int32_t x_q6,
-                         int32_t y_q6,
-                         inkcell_rect_t* out);
+void inkcell_box(const inkcell_font_t* font,
+                 const char* text,
+                 size_t size,
+                 const inkcell_style_t* style,
+                 int32_t x_q6,
+                 int32_t y_q6,
+                 inkcell_rect_t* out);
 
 /// The smallest rectangle that holds both; an empty one adds nothing.
 void inkcell_bounding_box(const inkcell_rect_t* a,

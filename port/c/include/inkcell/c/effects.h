@@ -18,47 +18,47 @@
 extern "C" {
 #endif
 
-// Outlines: inkcell/stroke.hpp.
+// Strokes along edges: inkcell/stroke.hpp.
 
-/// On which side of the edge an outline lies.
+/// On which side of the edge a stroke lies.
 enum {
-  INKCELL_OUTLINE_INNER = 0,
-  INKCELL_OUTLINE_CENTRED = 1,
-  INKCELL_OUTLINE_OUTER = 2
+  INKCELL_STROKE_INNER = 0,
+  INKCELL_STROKE_CENTRED = 1,
+  INKCELL_STROKE_OUTER = 2
 };
 
-/// An outline, by the tables of its two edges, 532 bytes. Opaque.
-typedef struct INKCELL_SHARED inkcell_outline_t {
+/// A stroke, by the tables of its two edges, 532 bytes. Opaque.
+typedef struct INKCELL_SHARED inkcell_stroke_t {
   const void* effect;
   inkcell_filter_table_t outer;
   inkcell_filter_table_t inner;
-} inkcell_outline_t;
+} inkcell_stroke_t;
 
-/// An outline `width_q10` px wide, 0 to 4 px, along the edge that `edge` draws.
+/// A stroke `width_q10` px wide, 0 to 4 px, along the edge that `edge` draws.
 /// `outer` becomes the filter of its outer edge, for
 /// inkcell_filter_check_reach(); any filter will do for the style. `place` is
 /// one of the above.
-void inkcell_outline_make(const inkcell_filter_t* edge,
-                          int16_t width_q10,
-                          uint8_t place,
-                          inkcell_outline_t* outline,
-                          inkcell_filter_t* outer);
+void inkcell_stroke_make(const inkcell_filter_t* edge,
+                         int16_t width_q10,
+                         uint8_t place,
+                         inkcell_stroke_t* stroke,
+                         inkcell_filter_t* outer);
 
-/// Draws the outline alone.
-void inkcell_style_set_outline(inkcell_style_t* style,
-                               const inkcell_outline_t* outline);
+/// Draws the stroke alone.
+void inkcell_style_set_stroke(inkcell_style_t* style,
+                              const inkcell_stroke_t* stroke);
 
-/// Options of the effect that draws outline and fill at once.
-typedef struct INKCELL_SHARED inkcell_outline_and_fill_t {
+/// Options of the effect that draws stroke and fill at once.
+typedef struct INKCELL_SHARED inkcell_stroke_and_fill_t {
   const void* effect[2];
-  /// Over the same strip as the sink that the outline goes to, of another
+  /// Over the same strip as the sink that the stroke goes to, of another
   /// colour. Set it anew for each strip.
   const inkcell_sink_t* fill;
-} inkcell_outline_and_fill_t;
+} inkcell_stroke_and_fill_t;
 
-void inkcell_style_set_outline_and_fill(inkcell_style_t* style,
-                                        const inkcell_outline_t* outline,
-                                        inkcell_outline_and_fill_t* both);
+void inkcell_style_set_stroke_and_fill(inkcell_style_t* style,
+                                       const inkcell_stroke_t* stroke,
+                                       inkcell_stroke_and_fill_t* both);
 
 // Sub-pixels: inkcell/lcd.hpp. Draw into a sink of inkcell_..._lcd_sink().
 
@@ -70,25 +70,24 @@ enum {
   INKCELL_SUB_PIXELS_BGR_VERTICAL = 3
 };
 
-typedef struct INKCELL_SHARED inkcell_lcd_options_t {
+typedef struct INKCELL_SHARED inkcell_lcd_t {
   uint8_t order;   // one of the above
   uint8_t colour;  // how much of the differences is kept: 0 none, 255 all
   const void* effect[2];
-} inkcell_lcd_options_t;
+} inkcell_lcd_t;
 
-void inkcell_style_set_lcd(inkcell_style_t* style,
-                           inkcell_lcd_options_t* options);
+void inkcell_style_set_lcd(inkcell_style_t* style, inkcell_lcd_t* options);
 
 // 1 and 2 bits without broken strokes: inkcell/bilevel.hpp.
 
-typedef struct INKCELL_SHARED inkcell_bilevel_options_t {
+typedef struct INKCELL_SHARED inkcell_bilevel_t {
   uint8_t levels;         // of the display: 2 or 4
   int16_t threshold_q10;  // distance from which on a pixel is drawn, +-1/2 px
   const void* effect[2];
-} inkcell_bilevel_options_t;
+} inkcell_bilevel_t;
 
 void inkcell_style_set_bilevel(inkcell_style_t* style,
-                               inkcell_bilevel_options_t* options);
+                               inkcell_bilevel_t* options);
 
 /// Contrast at small sizes: inkcell/edge_contrast.hpp. [1/256]
 typedef struct INKCELL_SHARED inkcell_edge_contrast_t {
@@ -101,16 +100,16 @@ void inkcell_style_set_edge_contrast(inkcell_style_t* style,
                                      inkcell_edge_contrast_t* options);
 
 /// The mean of five pictures: inkcell/supersample.hpp.
-typedef struct INKCELL_SHARED inkcell_supersampling_t {
+typedef struct INKCELL_SHARED inkcell_supersample_t {
   int16_t radius_q10;  // 256..1536 [px]; 870 for text that stands, 768 if not
   const void* effect[2];
-} inkcell_supersampling_t;
+} inkcell_supersample_t;
 
-void inkcell_style_set_supersampling(inkcell_style_t* style,
-                                     inkcell_supersampling_t* options);
+void inkcell_style_set_supersample(inkcell_style_t* style,
+                                   inkcell_supersample_t* options);
 
 /// Up to 13 samples a pixel of a field: inkcell/field/circle_samples.hpp.
-/// Opaque, 280 bytes. inkcell_style_check_effect() refuses outlines.
+/// Opaque, 280 bytes. inkcell_font_check() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_circle_samples_t {
   uint32_t numbers[67];
   const void* words[3];
@@ -143,21 +142,21 @@ void inkcell_style_set_motion_blur(inkcell_style_t* style,
                                    const inkcell_motion_blur_t* options);
 
 /// Cells smaller than a pixel, each once: inkcell/field/splat.hpp. Opaque. Not
-/// to be used after an error. inkcell_style_check_effect() refuses outlines.
-typedef struct INKCELL_SHARED inkcell_splats_t {
+/// to be used after an error. inkcell_font_check() refuses outlines.
+typedef struct INKCELL_SHARED inkcell_splat_t {
   const void* words[4];
-} inkcell_splats_t;
+} inkcell_splat_t;
 
 /// `sums`, at least 64, are in use while a glyph is drawn: one for each pixel
 /// of the largest glyph in a strip is best. `radius_q10`: 768 to 1536, the
 /// paper's is 1331. BUFFER_SMALL, BAD_ARGUMENT.
-inkcell_status_t inkcell_splats_make(uint32_t* sums,
-                                     size_t count,
-                                     int16_t radius_q10,
-                                     inkcell_splats_t* out);
+inkcell_status_t inkcell_splat_make(uint32_t* sums,
+                                    size_t count,
+                                    int16_t radius_q10,
+                                    inkcell_splat_t* out);
 
-void inkcell_style_set_splats(inkcell_style_t* style,
-                              const inkcell_splats_t* options);
+void inkcell_style_set_splat(inkcell_style_t* style,
+                             const inkcell_splat_t* options);
 
 #ifdef __cplusplus
 }

@@ -89,9 +89,9 @@ void inkcell_font_range(const inkcell_font_t* font, inkcell_font_range_t* out);
 
 /// The glyph of a code point. NO_GLYPH: the font has none; `out` is then 0,
 /// which is .notdef.
-inkcell_status_t inkcell_font_glyph(const inkcell_font_t* font,
-                                    uint32_t code_point,
-                                    uint16_t* out);
+inkcell_status_t inkcell_font_glyph_of(const inkcell_font_t* font,
+                                       uint32_t code_point,
+                                       uint16_t* out);
 
 /// NO_GLYPH: there is no glyph of this id; `out` is then all 0.
 inkcell_status_t inkcell_font_glyph_metrics(const inkcell_font_t* font,

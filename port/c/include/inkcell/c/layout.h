@@ -46,9 +46,9 @@ void inkcell_bidi_init(inkcell_bidi_t* bidi, uint16_t* cells, size_t count);
 /// Call it when text was changed in place.
 void inkcell_bidi_forget(inkcell_bidi_t* bidi);
 
-/// How text is set. inkcell_layout_init() fills it in; then change what shall
-/// be different. What is pointed to must outlive it.
-typedef struct INKCELL_SHARED inkcell_layout_t {
+/// How text is set. inkcell_layout_options_init() fills it in; then change what
+/// shall be different. What is pointed to must outlive it.
+typedef struct INKCELL_SHARED inkcell_layout_options_t {
   inkcell_face_t face;
   /// For characters that `face` lacks, in this order; at most 255.
   const inkcell_face_t* fallback;
@@ -65,26 +65,27 @@ typedef struct INKCELL_SHARED inkcell_layout_t {
   const int32_t* tab_stops_q6;
   size_t tab_stop_count;
   int32_t tab_width_q6;  // [px] 0: eight spaces
-  const void* words[2];  // of inkcell_layout_set_bidi()
-} inkcell_layout_t;
+  const void* words[2];  // of inkcell_layout_options_set_bidi()
+} inkcell_layout_options_t;
 
 /// One face, from the start, wrapped, all else 0.
-void inkcell_layout_init(inkcell_layout_t* layout,
-                         const inkcell_font_t* font,
-                         const inkcell_style_t* style);
+void inkcell_layout_options_init(inkcell_layout_options_t* options,
+                                 const inkcell_font_t* font,
+                                 const inkcell_style_t* style);
 
 /// Orders mixed lines. Without it all text is read from left to right.
-void inkcell_layout_set_bidi(inkcell_layout_t* layout, inkcell_bidi_t* bidi);
+void inkcell_layout_options_set_bidi(inkcell_layout_options_t* options,
+                                     inkcell_bidi_t* bidi);
 
 /// From a baseline to the next. [px, Q6]
-int32_t inkcell_layout_line_height(const inkcell_layout_t* layout);
+int32_t inkcell_line_height(const inkcell_layout_options_t* options);
 
 /// From the top of a line to its baseline. [px, Q6]
-int32_t inkcell_layout_baseline(const inkcell_layout_t* layout);
+int32_t inkcell_baseline(const inkcell_layout_options_t* options);
 
 /// A line of a text. It shows `length` bytes from `begin` on; spaces and line
 /// ends behind that show nothing. All 0, it stands before the first line.
-typedef struct INKCELL_SHARED inkcell_line_t {
+typedef struct INKCELL_SHARED inkcell_text_line_t {
   uint32_t begin;
   uint32_t next;       // where the next line begins
   uint32_t paragraph;  // where its paragraph begins
@@ -99,33 +100,33 @@ typedef struct INKCELL_SHARED inkcell_line_t {
   bool ends_paragraph;
   bool has_hyphen;  // at a soft hyphen
   bool has_ellipsis;
-} inkcell_line_t;
+} inkcell_text_line_t;
 
 /// Finds the line that follows `line` in `width_q6` px, and the first one if
 /// that is all 0. False after the last; a text has a line more than line feeds.
 ///
-///   inkcell_line_t line = {0};
-///   while (inkcell_next_line(&layout, text, size, width_q6, &line)) { ... }
-bool inkcell_next_line(const inkcell_layout_t* layout,
+///   inkcell_text_line_t line = {0};
+///   while (inkcell_next_line(&options, text, size, width_q6, &line)) { ... }
+bool inkcell_next_line(const inkcell_layout_options_t* options,
                        const char* text,
                        size_t size,
                        int32_t width_q6,
-                       inkcell_line_t* line);
+                       inkcell_text_line_t* line);
 
 /// Ends a line with an ellipsis, though its text goes on.
-void inkcell_shorten_line(const inkcell_layout_t* layout,
-                          const char* text,
-                          size_t size,
-                          int32_t width_q6,
-                          inkcell_line_t* line);
+void inkcell_shorten(const inkcell_layout_options_t* options,
+                     const char* text,
+                     size_t size,
+                     int32_t width_q6,
+                     inkcell_text_line_t* line);
 
 /// Glyphs of a line from left to right, aligned in `width_q6` px, for
-/// inkcell_draw_faces() with the faces of `layout`. BUFFER_SMALL: more than
+/// inkcell_draw_faces() with the faces of `options`. BUFFER_SMALL: more than
 /// `capacity`; `count` is then 0. line->length + 4 always suffice.
-inkcell_status_t inkcell_lay_out_line(const inkcell_layout_t* layout,
+inkcell_status_t inkcell_lay_out_line(const inkcell_layout_options_t* options,
                                       const char* text,
                                       size_t size,
-                                      const inkcell_line_t* line,
+                                      const inkcell_text_line_t* line,
                                       int32_t width_q6,
                                       inkcell_positioned_glyph_t* out,
                                       size_t capacity,

@@ -57,8 +57,8 @@ void inkcell_style_clear_effect(inkcell_style_t* style);
 
 /// UNSUPPORTED: the style's effect does not draw glyphs of this font, and
 /// nothing shows.
-inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
-                                            const inkcell_font_t* font);
+inkcell_status_t inkcell_font_check(const inkcell_font_t* font,
+                                    const inkcell_style_t* style);
 
 /// A font's hints at one size. Opaque. Empty, it moves nothing.
 typedef struct INKCELL_SHARED inkcell_fit_t {
@@ -83,7 +83,7 @@ inkcell_status_t inkcell_fit_make(const inkcell_font_t* font,
 /// Whether advances are whole pixels: lay out and measure with the style then.
 bool inkcell_fit_has_advances(const inkcell_fit_t* fit);
 
-/// For inkcell_bilevel_options_t: the weight that whole stems have. [px, Q10]
+/// For inkcell_bilevel_t: the weight that whole stems have. [px, Q10]
 int16_t inkcell_fit_bilevel_weight(const inkcell_fit_t* fit);
 
 /// Fits glyphs of outlines of an upright style. `fit` must outlive the style.

@@ -4,8 +4,8 @@
 //
 // Functions of boxes find the lines of the text anew. Where a screen is drawn
 // in many strips, find them once with inkcell_text_box_lay_out(), and hand them
-// to the others as `lines` and `line_count`: lines of the same text, layout and
-// width. Else `lines` is null.
+// to the others as `lines` and `line_count`: lines of the same text, options
+// and width. Else `lines` is null.
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
@@ -27,7 +27,7 @@ enum {
 
 /// inkcell_text_box_init() fills it in; then change what shall be different.
 typedef struct INKCELL_SHARED inkcell_text_box_t {
-  inkcell_layout_t layout;
+  inkcell_layout_options_t options;
   /// Where lines stand on the screen, within +-32767 px. Ink may overhang it.
   inkcell_rect_t rect;
   /// What is outside of it is cut off; by default nothing is.
@@ -59,7 +59,7 @@ void inkcell_text_box_init(inkcell_text_box_t* box,
 inkcell_status_t inkcell_text_box_lay_out(const inkcell_text_box_t* box,
                                           const char* text,
                                           size_t size,
-                                          inkcell_line_t* out,
+                                          inkcell_text_line_t* out,
                                           size_t capacity,
                                           size_t* count);
 
@@ -69,22 +69,22 @@ void inkcell_text_box_draw(const inkcell_text_box_t* box,
                            size_t size,
                            const inkcell_sink_t* sink,
                            const inkcell_workspace_t* ram,
-                           const inkcell_line_t* lines,
+                           const inkcell_text_line_t* lines,
                            size_t line_count);
 
 /// The pixels that inkcell_text_box_draw() may touch; empty if nothing shows.
-void inkcell_text_box_pixels(const inkcell_text_box_t* box,
-                             const char* text,
-                             size_t size,
-                             const inkcell_line_t* lines,
-                             size_t line_count,
-                             inkcell_rect_t* out);
+void inkcell_text_box_box(const inkcell_text_box_t* box,
+                          const char* text,
+                          size_t size,
+                          const inkcell_text_line_t* lines,
+                          size_t line_count,
+                          inkcell_rect_t* out);
 
 /// The advances: a rectangle of that size cuts nothing.
 void inkcell_text_box_measure(const inkcell_text_box_t* box,
                               const char* text,
                               size_t size,
-                              const inkcell_line_t* lines,
+                              const inkcell_text_line_t* lines,
                               size_t line_count,
                               inkcell_text_size_t* out);
 
@@ -95,7 +95,7 @@ void inkcell_text_box_hit(const inkcell_text_box_t* box,
                           size_t size,
                           int32_t x,
                           int32_t y,
-                          const inkcell_line_t* lines,
+                          const inkcell_text_line_t* lines,
                           size_t line_count,
                           inkcell_text_place_t* out);
 
@@ -104,48 +104,51 @@ void inkcell_text_box_caret(const inkcell_text_box_t* box,
                             const char* text,
                             size_t size,
                             const inkcell_text_place_t* place,
-                            const inkcell_line_t* lines,
+                            const inkcell_text_line_t* lines,
                             size_t line_count,
                             inkcell_rect_t* out);
 
 /// One line of text in a window, drawn at any scroll. Opaque.
-typedef struct INKCELL_SHARED inkcell_label_t {
+typedef struct INKCELL_SHARED inkcell_scrolling_label_t {
   const void* words[7];
   uint32_t numbers[6];
-} inkcell_label_t;
+} inkcell_scrolling_label_t;
 
 /// Lays out the first line of a text, in the middle of the height of `window`,
-/// into `room`, which must outlive the label, as must the faces of `layout`,
+/// into `room`, which must outlive the label, as must the faces of `options`,
 /// but not the text. A glyph for each byte always suffices.
 ///
 /// BUFFER_SMALL: more than `capacity` glyphs. BAD_ARGUMENT: the text is longer
 /// than 65,535 bytes.
-inkcell_status_t inkcell_label_make(const inkcell_layout_t* layout,
-                                    const char* text,
-                                    size_t size,
-                                    const inkcell_rect_t* window,
-                                    inkcell_positioned_glyph_t* room,
-                                    size_t capacity,
-                                    inkcell_label_t* out);
+inkcell_status_t inkcell_scrolling_label_make(
+    const inkcell_layout_options_t* options,
+    const char* text,
+    size_t size,
+    const inkcell_rect_t* window,
+    inkcell_positioned_glyph_t* room,
+    size_t capacity,
+    inkcell_scrolling_label_t* out);
 
 /// The width of the line. [px, Q6]
-int32_t inkcell_label_width(const inkcell_label_t* label);
+int32_t inkcell_scrolling_label_width(const inkcell_scrolling_label_t* label);
 
 /// Whether the line is wider than the window.
-bool inkcell_label_needs_scrolling(const inkcell_label_t* label);
+bool inkcell_scrolling_label_needs_scrolling(
+    const inkcell_scrolling_label_t* label);
 
 /// Draws the line moved to the left by `scroll_q6` px. `ram` may be null.
-void inkcell_label_draw(const inkcell_label_t* label,
-                        int32_t scroll_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram);
+void inkcell_scrolling_label_draw(const inkcell_scrolling_label_t* label,
+                                  int32_t scroll_q6,
+                                  const inkcell_sink_t* sink,
+                                  const inkcell_workspace_t* ram);
 
 /// The same for a line that follows itself without end, `gap_q6` px behind.
-void inkcell_label_draw_endless(const inkcell_label_t* label,
-                                int32_t scroll_q6,
-                                int32_t gap_q6,
-                                const inkcell_sink_t* sink,
-                                const inkcell_workspace_t* ram);
+void inkcell_scrolling_label_draw_endless(
+    const inkcell_scrolling_label_t* label,
+    int32_t scroll_q6,
+    int32_t gap_q6,
+    const inkcell_sink_t* sink,
+    const inkcell_workspace_t* ram);
 
 #ifdef __cplusplus
 }
