@@ -291,10 +291,10 @@ TEST(sub_pixels_are_drawn_on_opaque_colour) {
     };
     inkcell_lv_font_t font;
     CHECK(make_font(font, 16 * 64));
-    inkcell_lv_font_set_subpixels(&font, INKCELL_LV_SUBPIXELS_RGB);
+    inkcell_lv_font_set_sub_pixels(&font, INKCELL_LV_SUB_PIXELS_RGB);
     const Picture rgb = draw(font, true, format, 10, look);
     CHECK(count_coloured(rgb) > 50);
-    inkcell_lv_font_set_subpixels(&font, INKCELL_LV_SUBPIXELS_BGR);
+    inkcell_lv_font_set_sub_pixels(&font, INKCELL_LV_SUB_PIXELS_BGR);
     const Picture bgr = draw(font, true, format, kHeight, look);
     size_t mirrored = 0;
     for (size_t i = 0; i < rgb.size(); i += step) {

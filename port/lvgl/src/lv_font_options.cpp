@@ -74,11 +74,11 @@ const Sink* open_lcd(const lv_layer_t& layer,
 
 using namespace inkcell;
 
-void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
-                                   inkcell_lv_subpixels_t order) {
+void inkcell_lv_font_set_sub_pixels(inkcell_lv_font_t* font,
+                                    inkcell_lv_sub_pixels_t order) {
   port::FontState& state = port::state_of(*font);
   static_assert(static_cast<int>(SubPixels::bgr_vertical) ==
-                    INKCELL_LV_SUBPIXELS_BGR_VERTICAL,
+                    INKCELL_LV_SUB_PIXELS_BGR_VERTICAL,
                 "the same order");
   state.lcd.order = static_cast<SubPixels>(order);
   state.style.set_effect(state.lcd);

@@ -51,11 +51,11 @@ typedef struct {
 
 /** The order of a display's sub-pixels. */
 typedef enum {
-  INKCELL_LV_SUBPIXELS_RGB,
-  INKCELL_LV_SUBPIXELS_BGR,
-  INKCELL_LV_SUBPIXELS_RGB_VERTICAL,
-  INKCELL_LV_SUBPIXELS_BGR_VERTICAL
-} inkcell_lv_subpixels_t;
+  INKCELL_LV_SUB_PIXELS_RGB,
+  INKCELL_LV_SUB_PIXELS_BGR,
+  INKCELL_LV_SUB_PIXELS_RGB_VERTICAL,
+  INKCELL_LV_SUB_PIXELS_BGR_VERTICAL
+} inkcell_lv_sub_pixels_t;
 
 /** Makes a font of `size_q6` 1/64 px to the em, 4 to 1024 px: 14.5 px are 928.
  *
@@ -90,8 +90,8 @@ void inkcell_lv_font_set_direct(inkcell_lv_font_t* font);
 
 /** Draws with a coverage for each sub-pixel, if the font is direct, the layer
  * is RGB565, RGB888 or XRGB8888, and the opacity is full; else in grey. */
-void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
-                                   inkcell_lv_subpixels_t order);
+void inkcell_lv_font_set_sub_pixels(inkcell_lv_font_t* font,
+                                    inkcell_lv_sub_pixels_t order);
 
 /** Fits heights to the grid of pixels: base lines, x-height and horizontal
  * strokes are crisp. Fades from 24 to 40 px. LV_RESULT_INVALID: the font's
