@@ -39,7 +39,7 @@ static Status run() {
   INKCELL_TRY(Font::open(fonts::sans, font));
   Screen screen;  // refers to styles and font, which must outlive it
   screen.words = TextBox(font, kText, {0, 0, kWidth, 30}, Align::centre);
-  screen.value = ValueLabel(font, kLarge, {kWidth / 2, 58}, Anchor::middle);
+  screen.value = ValueLabel(font, kLarge, {kWidth / 2, 58}, Anchor::centre);
 
   port::StripLoop loop;
   loop.buffer = buffer;

@@ -117,8 +117,8 @@ void use_poses(const Font& font, Choices& choices) {
   }
   RunGlyph laid[8];
   Run run;
-  const auto align = static_cast<Align>(choices.byte() % 3);
-  require(lay_out(font, {text, sizeof text}, align, laid, run) == Status::ok,
+  const auto anchor = static_cast<Anchor>(choices.byte() % 3);
+  require(lay_out(font, {text, sizeof text}, anchor, laid, run) == Status::ok,
           "8 bytes are 8 glyphs at most");
   PathPoint room[40];
   Path path(room);

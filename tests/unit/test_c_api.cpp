@@ -172,7 +172,7 @@ TEST(own_sink_gets_what_cpp_gives) {
 TEST(values_are_those_of_cpp) {
   const Font font = open();
   const Style style(12_px, kFilterText);
-  ValueLabel by_cpp(font, style, {30, 12}, Anchor::end);
+  ValueLabel by_cpp(font, style, {30, 12}, Anchor::right);
   inkcell_font_t same_font;
   inkcell_style_t same_style;
   CHECK_EQ(inkcell_font_open(rom().data, rom().size, &same_font), INKCELL_OK);
@@ -180,7 +180,7 @@ TEST(values_are_those_of_cpp) {
            INKCELL_OK);
   inkcell_value_label_t by_c;
   inkcell_value_label_init(&by_c, &same_font, &same_style, 30 << 6, 12 << 6,
-                           INKCELL_ANCHOR_END);
+                           INKCELL_ANCHOR_RIGHT);
   static uint8_t pages[2][LABEL_WIDTH * LABEL_HEIGHT / 8];
   constexpr int32_t kTenths[] = {-42, 424, 424};
   for (const int32_t tenths : kTenths) {

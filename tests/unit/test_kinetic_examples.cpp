@@ -68,7 +68,7 @@ Status draw_poses(int32_t now_ms, const Sink& sink) {
   RunGlyph glyphs[16];
   PosedGlyph posed[16];
   Run run;
-  INKCELL_TRY(lay_out(font, "ABCD", Align::left, glyphs, run));
+  INKCELL_TRY(lay_out(font, "ABCD", Anchor::left, glyphs, run));
   PoseRenderer renderer(font, size);
   for (size_t i = 0; i < run.glyphs.size; ++i) {
     const int32_t delay =

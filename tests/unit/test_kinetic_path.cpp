@@ -82,7 +82,7 @@ TEST(paths_are_as_long_as_they_look) {
 TEST(glyphs_stand_on_their_path) {
   const Font& font = sample_font();
   Run run;
-  CHECK_OK(lay_out(font, "ABC", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABC", Anchor::centre, run_glyphs, run));
   PathPoint points[65];
   Path path(points);
   CHECK_OK(path.move_to(px(0, 30)));
@@ -115,7 +115,7 @@ TEST(glyphs_stand_on_their_path) {
   on_path.overflow = PathOverflow::hide;
   on_path.start = Q16_16();
   Run from_start;
-  CHECK_OK(lay_out(font, "ABC", Align::left, run_glyphs, from_start));
+  CHECK_OK(lay_out(font, "ABC", Anchor::left, run_glyphs, from_start));
   CHECK_EQ(place(font, from_start, 0, path, on_path, {}).pose.opacity, 255);
   on_path.start = Q16_16::from_int(-16);
   CHECK_EQ(place(font, from_start, 0, path, on_path, {}).pose.opacity, 0);
@@ -125,7 +125,7 @@ TEST(glyphs_stand_on_their_path) {
   CHECK_OK(path.move_to(px(0, 50)));
   CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_raw(-kOne / 2), 64));
   on_path.start = Q16_16::from_raw(path.length().raw / 2);
-  CHECK_OK(lay_out(font, "ABC", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABC", Anchor::centre, run_glyphs, run));
   for (size_t i = 0; i < 3; ++i) {
     later[i] = place(font, run, i, path, on_path, {});
   }
@@ -139,7 +139,7 @@ TEST(glyphs_stand_on_their_path) {
 TEST(glyphs_that_slide_turn_without_a_jerk) {
   const Font& font = sample_font();
   Run run;
-  CHECK_OK(lay_out(font, "A", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "A", Anchor::centre, run_glyphs, run));
   PathPoint points[33];
   Path path(points);
   CHECK_OK(path.move_to(px(0, 40)));
@@ -163,7 +163,7 @@ TEST(glyphs_that_slide_turn_without_a_jerk) {
 TEST(letters_keep_their_distance_on_bends) {
   const Font& font = sample_font();
   Run run;
-  CHECK_OK(lay_out(font, "AAAAA", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "AAAAA", Anchor::centre, run_glyphs, run));
   const Q26_6 size = Q26_6::from_int(16);
   const int32_t apart =
       to_px_q16(font, size, run.glyphs[1].x - run.glyphs[0].x).raw >> 10;

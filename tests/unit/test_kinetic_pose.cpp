@@ -124,13 +124,13 @@ TEST(layout_counts_words_and_lines) {
   const Font& font = sample_font();
   Run run;
   // G has no ink, and a space that the font lacks shows nothing.
-  CHECK_OK(lay_out(font, "ABG GCD\n\nE", Align::left, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABG GCD\n\nE", Anchor::left, run_glyphs, run));
   CHECK_EQ(run.glyphs.size, 5);
   CHECK_EQ(run.lines, 3);
-  CHECK_EQ(lay_out(font, "AB", Align::left, {run_glyphs, 1}, run),
+  CHECK_EQ(lay_out(font, "AB", Anchor::left, {run_glyphs, 1}, run),
            Status::buffer_small);
   CHECK_EQ(run.glyphs.size, 5);
-  CHECK_OK(lay_out(font, "ABGGCD\nE", Align::left, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABGGCD\nE", Anchor::left, run_glyphs, run));
   CHECK_EQ(run.words, 3);
   CHECK_EQ(run.lines, 2);
   CHECK_EQ(run.glyphs[2].word, 1);
@@ -142,18 +142,18 @@ TEST(layout_counts_words_and_lines) {
   CHECK_EQ(unit_count(run, Unit::glyph), 5);
   CHECK_EQ(unit_count(run, Unit::word), 3);
   CHECK_EQ(unit_of(run, Unit::line, 4), 1);
-  CHECK_OK(lay_out(font, "", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "", Anchor::centre, run_glyphs, run));
   CHECK_EQ(run.glyphs.size, 0);
 }
 
 TEST(lines_are_aligned_and_tracked_about_their_anchor) {
   const Font& font = sample_font();
   Run run;
-  CHECK_OK(lay_out(font, "ABA", Align::centre, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABA", Anchor::centre, run_glyphs, run));
   CHECK_EQ(run.glyphs[0].x, -(768 + 600 + 768) / 2);
   CHECK_EQ(run.glyphs[0].half_gaps, -2);
   CHECK_EQ(run.glyphs[1].half_gaps, 0);
-  CHECK_OK(lay_out(font, "ABA", Align::right, run_glyphs, run));
+  CHECK_OK(lay_out(font, "ABA", Anchor::right, run_glyphs, run));
   CHECK_EQ(run.glyphs[0].x, -(768 + 600 + 768));
   CHECK_EQ(run.glyphs[0].half_gaps, -4);
   CHECK_EQ(run.glyphs[2].half_gaps, 0);
@@ -405,7 +405,7 @@ TEST(lines_that_were_shaped_are_runs) {
       {a, 10, 0}, {a, -5, 300}, {0xfffe, 7, 0}, {a, 600, 0}};
   const ShapedRun text = {shaped, 1000};
   Run run;
-  CHECK_OK(lay_out(font, text, Align::right, run_glyphs, run));
+  CHECK_OK(lay_out(font, text, Anchor::right, run_glyphs, run));
   CHECK_EQ(run.glyphs.size, size_t{3});
   CHECK_EQ(run.width, 1000);
   CHECK_EQ(run.words, 1);
@@ -416,7 +416,7 @@ TEST(lines_that_were_shaped_are_runs) {
     CHECK_EQ(run.glyphs[i].advance, font.advance(a));
   }
   Run small = run;
-  CHECK(lay_out(font, text, Align::left, {run_glyphs, 2}, small) ==
+  CHECK(lay_out(font, text, Anchor::left, {run_glyphs, 2}, small) ==
         Status::buffer_small);
   CHECK_EQ(small.glyphs.size, size_t{3});
 }
@@ -454,7 +454,7 @@ TEST(hostile_poses_and_paths_do_no_harm) {
                          12));
     static_cast<void>(path.at(Q16_16::from_raw(raw())));
     Run run;
-    CHECK_OK(lay_out(font, "A", Align::centre, run_glyphs, run));
+    CHECK_OK(lay_out(font, "A", Anchor::centre, run_glyphs, run));
     PathPlace where;
     where.start.raw = raw();
     where.size.raw = raw();

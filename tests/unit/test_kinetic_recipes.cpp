@@ -217,7 +217,7 @@ Status bounce(Screen& screen) {
   where.size = style.size();
   RunGlyph glyphs[8];  // one for each letter, or more
   Run run;
-  INKCELL_TRY(lay_out(font, "01234", kinetic::Align::left, glyphs, run));
+  INKCELL_TRY(lay_out(font, "01234", Anchor::left, glyphs, run));
   PoseRenderer renderer(font, style.size());
   MovingLetters letters(renderer, font, run, where, motion);
   for (int32_t now = 0; now < 3000; now += kFrameMs) {
@@ -398,7 +398,7 @@ TEST(letters_move_one_after_the_other) {
   const RunPlace where = {{2, 30}, style.size(), {}, 250};
   RunGlyph glyphs[8];
   Run run;
-  CHECK_OK(lay_out(font, "0123", kinetic::Align::left, glyphs, run));
+  CHECK_OK(lay_out(font, "0123", Anchor::left, glyphs, run));
   PoseRenderer renderer(font, style.size());
   MovingLetters letters(renderer, font, run, where, motion);
   CHECK(!is_empty(letters.at(0)));

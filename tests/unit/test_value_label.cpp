@@ -111,19 +111,19 @@ TEST(a_value_without_a_font_shows_nothing) {
 TEST(a_change_makes_the_screen_of_a_full_redraw) {
   const Font font = sample_font();
   Style style(20_px);
-  check_changes(font, style, Anchor::start);
-  check_changes(font, style, Anchor::middle);
-  check_changes(font, style, Anchor::end);
+  check_changes(font, style, Anchor::left);
+  check_changes(font, style, Anchor::centre);
+  check_changes(font, style, Anchor::right);
   const Stroke stroke(kFilterText, Q6_10::from_int(2));
   style.set_effect(stroke);
-  check_changes(font, style, Anchor::end);
+  check_changes(font, style, Anchor::right);
   Style small(12_px);
   FitOptions options;
   options.across = true;
   Fit fit;
   CHECK_OK(Fit::make(font, small, options, fit));
   small.set_fit(fit);
-  check_changes(font, small, Anchor::end);
+  check_changes(font, small, Anchor::right);
 }
 
 TEST(values_stand_at_their_anchor) {
@@ -134,7 +134,7 @@ TEST(values_stand_at_their_anchor) {
     Anchor anchor;
     int32_t left;
   } const anchors[] = {
-      {Anchor::start, 0}, {Anchor::middle, width / 2}, {Anchor::end, width}};
+      {Anchor::left, 0}, {Anchor::centre, width / 2}, {Anchor::right, width}};
   for (const auto& at : anchors) {
     ValueLabel value(font, style, {60, 34}, at.anchor);
     const Rect changed = value.set("AD");

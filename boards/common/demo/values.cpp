@@ -32,8 +32,10 @@ alignas(
 Font font;
 
 struct Values {
-  ValueLabel on_colour = {font, kStyle, {kMiddle - 4, kBaseline}, Anchor::end};
-  ValueLabel on_picture = {font, kStyle, {kWidth - 4, kBaseline}, Anchor::end};
+  ValueLabel on_colour = {
+      font, kStyle, {kMiddle - 4, kBaseline}, Anchor::right};
+  ValueLabel on_picture = {
+      font, kStyle, {kWidth - 4, kBaseline}, Anchor::right};
   size_t bytes_sent = 0;
 } values;
 

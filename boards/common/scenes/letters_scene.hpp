@@ -55,7 +55,7 @@ class LettersScene : public TextScene {
     motion_.stagger = {90, kOrder, 0};
     where_.size = size;
     where_.origin = origin();
-    INKCELL_TRY(lay_out(font(), text(), Align::left, glyphs_, run_));
+    INKCELL_TRY(lay_out(font(), text(), Anchor::left, glyphs_, run_));
     if (kLetters == Letters::pulse) {  // room for bold letters
       where_.tracking.raw = size.raw / 16;
       where_.origin.x.raw -= where_.tracking.raw *

@@ -59,7 +59,7 @@ PathScene::PathScene(const SceneSetting& setting) noexcept
 }
 
 Status PathScene::open() noexcept {
-  INKCELL_TRY(lay_out(font_, text_, Align::centre, glyphs_, run_));
+  INKCELL_TRY(lay_out(font_, text_, Anchor::centre, glyphs_, run_));
   on_path_.size = size_for(font_, text_, width_, height_);
   renderer_.set_size(on_path_.size);
   set_frame(0);

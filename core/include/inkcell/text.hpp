@@ -101,6 +101,9 @@ class TextCursor {
   int32_t previous_ = -1;         // glyph id, or -1 at the start of the line
 };
 
+/// What of a line stands at its origin.
+enum class Anchor : uint8_t { left, centre, right };
+
 /// Positions of all glyphs of one line. `out` holds at most text.size glyphs,
 /// which always suffice; `glyphs` is the part of it that was filled.
 ///

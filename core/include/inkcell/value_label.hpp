@@ -18,11 +18,8 @@
 
 namespace inkcell {
 
-/// What of a line stands at its origin.
-enum class Anchor : uint8_t { start, middle, end };
-
 /// Keeps its text, and the box of it. Lines of a style that is turned are
-/// anchored at their start.
+/// anchored at their left end.
 class ValueLabel {
  public:
   /// The longest text. [bytes]
@@ -34,7 +31,7 @@ class ValueLabel {
   constexpr ValueLabel(const Font& font,
                        const Style& style,
                        Point origin,
-                       Anchor anchor = Anchor::start) noexcept
+                       Anchor anchor = Anchor::left) noexcept
       : font_(&font), style_(&style), origin_(origin), anchor_(anchor) {}
   ValueLabel(const Font&, const Style&&, Point, Anchor = {}) = delete;
 

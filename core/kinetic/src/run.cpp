@@ -31,9 +31,9 @@ Text next_line(Text& text) noexcept {
 }
 
 // Shifts a line that starts at 0 to its anchor.
-void align_line(Align align, int32_t width, Span<RunGlyph> line) noexcept {
+void anchor_line(Anchor anchor, int32_t width, Span<RunGlyph> line) noexcept {
   const auto gaps = static_cast<int32_t>(line.size) - 1;
-  const int32_t parts = static_cast<int32_t>(align);  // in halves
+  const int32_t parts = static_cast<int32_t>(anchor);  // in halves
   for (size_t i = 0; i < line.size; ++i) {
     line[i].x -= width * parts / 2;
     const int32_t half_gaps = 2 * static_cast<int32_t>(i) - gaps * parts;
@@ -45,7 +45,7 @@ void align_line(Align align, int32_t width, Span<RunGlyph> line) noexcept {
 
 Status lay_out(const Font& font,
                Text text,
-               Align align,
+               Anchor anchor,
                Span<RunGlyph> out,
                Run& run) noexcept {
   const FontMetrics metrics = font.metrics();
@@ -79,7 +79,7 @@ Status lay_out(const Font& font,
     }
     word = static_cast<uint16_t>(word + (in_word ? 1 : 0));
     const int32_t width = cursor.advance();
-    align_line(align, width, {out.data + first, count - first});
+    anchor_line(anchor, width, {out.data + first, count - first});
     result.width = width > result.width ? width : result.width;
     ++result.lines;
   } while (text.size != 0 && result.lines != 0xffff);
@@ -91,7 +91,7 @@ Status lay_out(const Font& font,
 
 Status lay_out(const Font& font,
                const ShapedRun& text,
-               Align align,
+               Anchor anchor,
                Span<RunGlyph> out,
                Run& run) noexcept {
   constexpr int64_t kFar = 1 << 24;  // as lay_out() of PositionedGlyph has it
@@ -112,7 +112,7 @@ Status lay_out(const Font& font,
                     0, 0};
   }
   result.width = clamp_i64(text.advance, -kFar, kFar);
-  align_line(align, result.width, {out.data, count});
+  anchor_line(anchor, result.width, {out.data, count});
   result.words = count != 0 ? 1 : 0;
   result.lines = 1;
   result.glyphs = {out.data, count};

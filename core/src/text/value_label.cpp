@@ -23,13 +23,13 @@ bool equal(Text a, Text b) noexcept {
 
 Point ValueLabel::place() const noexcept {
   Point place = origin_;
-  if (anchor_ != Anchor::start && style_->is_upright()) {
+  if (anchor_ != Anchor::left && style_->is_upright()) {
     TextCursor cursor(*font_, text(), *style_);
     PositionedGlyph glyph;
     while (cursor.next(glyph)) {
     }
     const int32_t width = to_px(*font_, *style_, cursor.advance()).raw;
-    place.x.raw -= anchor_ == Anchor::end ? width : width / 2;
+    place.x.raw -= anchor_ == Anchor::right ? width : width / 2;
   }
   return place;
 }

@@ -73,7 +73,7 @@ static inkcell_status_t run(void) {
   inkcell_rect_t changed;
   inkcell_value_label_init(&screen.value, &screen.font, &screen.large,
                            INKCELL_Q6(16), INKCELL_Q6(150),
-                           INKCELL_ANCHOR_START);
+                           INKCELL_ANCHOR_LEFT);
   inkcell_value_label_set(&screen.value, read_temperature(), INKCELL_TERMINATED,
                           NULL, &changed);
   TRY(inkcell_run_strips(&loop, NULL));

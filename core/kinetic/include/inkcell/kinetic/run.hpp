@@ -14,9 +14,6 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Alignment of each line at the run's origin.
-enum class Align : uint8_t { left, centre, right };
-
 /// A glyph with ink. [font units, y up, from the run's origin on the baseline
 /// of the first line]
 struct RunGlyph {
@@ -41,14 +38,15 @@ struct Run {
 };
 
 /// Lays text out with the font's advances and kerning. A line feed starts a
-/// line. Glyphs without ink separate words and are left out. Letters are not
-/// joined, and marks not placed: see below for scripts that need it.
+/// line, whose anchor stands at the run's origin. Glyphs without ink separate
+/// words and are left out. Letters are not joined, and marks not placed: see
+/// below for scripts that need it.
 ///
 /// buffer_small: `out` holds fewer glyphs than the text; text.size always
 /// suffice. `run` is then untouched.
 Status lay_out(const Font& font,
                Text text,
-               Align align,
+               Anchor anchor,
                Span<RunGlyph> out,
                Run& run) noexcept;
 
@@ -59,7 +57,7 @@ Status lay_out(const Font& font,
 /// always suffice. `run` is then untouched.
 Status lay_out(const Font& font,
                const ShapedRun& text,
-               Align align,
+               Anchor anchor,
                Span<RunGlyph> out,
                Run& run) noexcept;
 

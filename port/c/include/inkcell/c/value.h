@@ -13,9 +13,9 @@ extern "C" {
 
 /// What of the line stands at its origin.
 enum {
-  INKCELL_ANCHOR_START = 0,
-  INKCELL_ANCHOR_MIDDLE = 1,
-  INKCELL_ANCHOR_END = 2
+  INKCELL_ANCHOR_LEFT = 0,
+  INKCELL_ANCHOR_CENTRE = 1,
+  INKCELL_ANCHOR_RIGHT = 2
 };
 
 /// Keeps its text, of up to 31 bytes, and the pixels of it. Opaque.
