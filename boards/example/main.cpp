@@ -53,7 +53,7 @@ static Status run() {
   };
   INKCELL_TRY(run_strips(loop));
   for (int32_t tenths = 215;; tenths += tenths < 235 ? 1 : 0) {
-    const Rect changed = screen.value.set(NumberText(tenths, 1));
+    const Rect changed = screen.value.set(NumberText(tenths, 1), {});
     INKCELL_TRY(run_strips(loop, changed));
   }
 }

@@ -150,7 +150,7 @@ std::vector<Line> lay_out_lines(const Font& font,
   std::vector<PositionedGlyph> room(text.size() + 4);
   TextLine line;
   Q26_6 width = wrapping.width.value_or(Q26_6{});
-  for (int32_t y = 0; next_line(options, whole, width, line); y -= height) {
+  for (int32_t y = 0; next_line(options, {}, whole, width, line); y -= height) {
     if (kerning == Kerning::none) {
       lines.push_back(
           lay_out(font, text.substr(line.begin, line.length), kerning, style));
@@ -159,7 +159,7 @@ std::vector<Line> lay_out_lines(const Font& font,
       if (!options.wraps) {
         width = to_px(font, style, line.width);
       }
-      if (lay_out(options, whole, line, width, {room.data(), room.size()},
+      if (lay_out(options, {}, whole, line, width, {room.data(), room.size()},
                   glyphs) != Status::ok) {
         throw std::runtime_error("a line has more glyphs than its text");
       }

@@ -307,11 +307,10 @@ void Look::set_levels(const LookOptions& options) {
         "out --filter, or use --levels 4");
   }
   if (is_as_display(options)) {
-    const auto adapt = options.levels == 2
-                           ? inkcell::detail::adapt_to_two_levels
-                           : inkcell::detail::adapt_to_four_levels;
+    const auto& rule = options.levels == 2 ? inkcell::detail::kTwoLevelRule
+                                           : inkcell::detail::kFourLevelRule;
     Style adapted;
-    style_ = adapt(style_, false, adapted);
+    style_ = rule.adapt(style_, true, adapted);
     return;
   }
   bilevel_ =

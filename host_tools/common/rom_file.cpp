@@ -61,6 +61,10 @@ std::string_view status_name(Status status) {
       return "beyond_band";
     case Status::read_failed:
       return "read_failed";
+    case Status::cut:
+      return "cut";
+    case Status::needs_shaping:
+      return "needs_shaping";
   }
   return "?";
 }

@@ -118,15 +118,15 @@ export function cOf({name, px, look, turn, c, x, y, rows}) {
   const tried = (/** @type {string} */ call) =>
     `  if (status == INKCELL_OK) {\n    status = ${call};\n  }`;
   const draw = (/** @type {string} */ style) =>
-    `  if (status == INKCELL_OK) {\n    inkcell_draw_text(&font, ${c}, INKCELL_TERMINATED, ` +
-    `&${style}, INKCELL_Q6(${x}),\n                      INKCELL_Q6(${y}), &sink, NULL);\n  }`;
+    `  if (status == INKCELL_OK) {\n    inkcell_draw_text(&painter, &font, ${c}, INKCELL_TERMINATED, ` +
+    `&${style},\n                      INKCELL_Q6(${x}), INKCELL_Q6(${y}));\n  }`;
   return joined(['#include <inkcell/inkcell.h>', '#include <stdio.h>', '', `#include "${name}.h"`, '',
     `uint8_t rows[${WIDTH} * ${rows} * 2]; /* ${rows} rows of ${WIDTH} px, RGB565 */`,
     '', 'inkcell_status_t hello(void) {',
     '  inkcell_rgb565_target_t target = {', `      {rows, sizeof rows, 0, 0, ${WIDTH}, ${rows}, ` +
       `INKCELL_STRIDE_BYTES(INKCELL_RGB565, ${WIDTH}),`,
     '       INKCELL_LOW_FIRST}, /* INKCELL_HIGH_FIRST: of a display behind SPI */', '      0xFFFF};',
-    '  inkcell_sink_t sink;', '  inkcell_font_t font;', '  inkcell_style_t style;',
+    '  inkcell_sink_t sink;', '  const inkcell_painter_t painter = {.sink = &sink};', '  inkcell_font_t font;', '  inkcell_style_t style;',
     `  inkcell_filter_t filter = ${preset};`,
     weight !== 0 && '  inkcell_filter_table_t table;',
     fit && '  inkcell_fit_t fit;',

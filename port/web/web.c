@@ -163,8 +163,9 @@ inkcell_status_t web_draw(const web_job_t* job) {
     status = web_sink(job, &target, &sink);
   }
   if (status == INKCELL_OK) {
-    inkcell_draw_text(&look.font, job->text, job->text_size, &look.style,
-                      job->x_q6, job->y_q6, &sink, NULL);
+    const inkcell_painter_t painter = {.sink = &sink};
+    inkcell_draw_text(&painter, &look.font, job->text, job->text_size,
+                      &look.style, job->x_q6, job->y_q6);
   }
   return status;
 }
@@ -174,9 +175,10 @@ int32_t web_advance(const web_job_t* job) {
   if (open_look(job, &look) != INKCELL_OK) {
     return 0;
   }
-  inkcell_text_measure_t measure;
-  inkcell_measure(&look.font, job->text, job->text_size, &look.style, &measure);
-  return inkcell_to_px(&look.font, &look.style, measure.advance);
+  inkcell_pixel_measure_t measure;
+  inkcell_measure(NULL, &look.font, job->text, job->text_size, &look.style,
+                  &measure);
+  return measure.advance_q6;
 }
 
 int32_t web_glyph_count(const web_job_t* job) {

@@ -17,9 +17,10 @@ from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
                         WARNINGS, finish, require, run)
 
 # Bytes of the deepest chain, of which the font's kerning takes 170. A box that is
-# drawn keeps the style that a canvas of 1 or 2 bits adapts, and itself with it.
-LIMIT = 512
-LIMITS = {"TextBox::draw": LIMIT + 256}
+# drawn keeps the line at hand, and the style that a canvas of 1 or 2 bits adapts.
+LIMIT = 560
+LIMITS = {"TextBox::draw": LIMIT + 256,
+          "TextBox::box": LIMIT + 208}
 LEVELS = ["-Os", "-O2"]
 FOLDERS = ["core/src/base", "core/src/font", "core/src/text", "core/src/place",
            "core/layout/src"]
@@ -54,11 +55,13 @@ CALLS_BIDI = {
     "look_up": ["mirrored"],
 }
 # Who asks a fitter for advances.
-CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "to_units",
+CALLS_FITTER = ["has_whole_advances", "advance", "advances", "own_units", "to_units",
                 "to_whole_px", "Pen", "RunCursor"]
 
-# Who asks a sink to adapt a style, and who the pages of a font in storage.
-CALLS_SINK = ["draw", "draw_adapted", "draw_lines"]
+# Who asks a canvas to adapt a style or draws, and who the pages of a stored font.
+CALLS_SINK = ["draw_line", "draw_lines", "place_near", "measure", "lay_out"]
+# Who asks for a substitute of a character.
+CALLS_REPORT = ["replace"]
 CALLS_PAGES = ["find_row", "glyph_of", "kerning"]
 
 # Where drawing begins.
@@ -129,7 +132,7 @@ class Chains:
         if "__indirect_call" in targets:
             name = short(self.names[symbol])
             members = CALLS_BIDI.get(name, [])
-            if not members and name not in (CALLS_FITTER + CALLS_SINK +
+            if not members and name not in (CALLS_FITTER + CALLS_SINK + CALLS_REPORT +
                                             CALLS_PAGES):
                 self.unknown.add(name)
             targets |= {self.bidi[member] for member in members}

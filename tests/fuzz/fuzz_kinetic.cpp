@@ -365,8 +365,8 @@ void use_recipes(const Font& font, Choices& choices) {
     const int32_t now = choices.number();
     static_cast<void>(counter.at(now));
     static_cast<void>(clock.at(counted, choices.u16(), now));
-    static_cast<void>(line.at(now));
-    static_cast<void>(wipe.at(now));
+    static_cast<void>(line.at(now, painter));
+    static_cast<void>(wipe.at(now, painter));
     require(counter.next_due(now) >= now && line.next_due(now) >= now,
             "what is due is not past");
     counter.draw(painter);

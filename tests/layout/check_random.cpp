@@ -260,7 +260,9 @@ size_t first_letter(Text text, const TextLine& line) {
 
 void check_cells(const Trial& trial, const TextLine& line) {
   const Text text = trial.view();
-  detail::LineCursor cursor(trial.box.options, text, line);
+  const Painter painter;
+  const detail::Setting setting = {trial.box.options, painter};
+  detail::LineCursor cursor(setting, text, line);
   cursor.align(trial.room());
   detail::Cell cell;
   std::set<uint32_t> seen;
@@ -300,18 +302,19 @@ void check_lines(const Trial& trial) {
   const LayoutOptions& options = trial.box.options;
   const Text text = trial.view();
   const std::set<size_t> allowed = places(text);
-  const int32_t room =
-      detail::Pen(options, detail::Pen::logical).from_px(trial.room());
+  const Painter painter;
+  const detail::Setting setting = {options, painter};
+  const detail::Pen pen(setting, detail::Pen::logical);
+  const int32_t room = pen.from_px(trial.room());
   TextLine line;
   size_t next = 0;
   bool is_last = false;
-  while (next_line(options, text, trial.room(), line)) {
+  while (next_line(options, {}, text, trial.room(), line)) {
     check(!is_last, "a line follows the last");
     check(line.begin == next, "lines leave a gap");
     check(line.end() <= line.next, "a line ends after the start of the next");
     check(line.next > line.begin || line.is_last, "a line is no further");
-    const int32_t width =
-        detail::Pen(options, detail::Pen::logical).from_units(line.width);
+    const int32_t width = pen.from_units(line.width);
     const bool is_bound = options.wraps || line.has_ellipsis;
     check(!is_bound || width <= room ||
               letters(text, line) <= (line.has_ellipsis ? 0u : 1u),
@@ -333,9 +336,9 @@ void check_lines(const Trial& trial) {
 void check_carets(const Trial& trial) {
   const Text text = trial.view();
   for (const size_t offset : offsets(text)) {
-    const Rect caret = trial.box.caret(text, {offset, false});
-    const TextPlace place = trial.box.hit(text, caret.x0, caret.y0);
-    const Rect again = trial.box.caret(text, place);
+    const Rect caret = trial.box.caret(text, {}, {offset, false});
+    const TextPlace place = trial.box.hit(text, {}, caret.x0, caret.y0);
+    const Rect again = trial.box.caret(text, {}, place);
     const bool is_same =
         caret.x0 == again.x0 && caret.y0 == again.y0 && caret.y1 == again.y1;
     if (!check(is_same, "a hit leads to another caret") && reports < 20) {
@@ -365,7 +368,7 @@ Picture draw(const Trial& trial, int32_t rows, Span<const TextLine> lines) {
     strip.stride = kSide;
     const port::A8Canvas canvas(strip);
     check(canvas.status() == Status::ok, "no canvas");
-    trial.box.draw(trial.view(), canvas, {}, lines);
+    trial.box.draw(trial.view(), canvas, lines);
   }
   check(allocations == before, "drawing allocates");
   return picture;
@@ -391,14 +394,14 @@ void check_drawing(const Trial& trial) {
   for (const uint8_t pixel : whole) {
     inked += pixel != 0 ? 1 : 0;
   }
-  check(!is_outside(whole, trial.box.box(trial.view())),
+  check(!is_outside(whole, trial.box.box(trial.view(), {})),
         "ink outside of what box() tells");
   check(!is_outside(whole, trial.box.clip), "ink outside the clip");
   check(draw(trial, 7, {}) == whole, "strips differ");
   std::vector<TextLine> room(trial.text.size() + 1);
   Span<const TextLine> lines;
-  check(trial.box.lay_out(trial.view(), {room.data(), room.size()}, lines) ==
-            Status::ok,
+  check(trial.box.lay_out(trial.view(), {}, {room.data(), room.size()},
+                          lines) == Status::ok,
         "lines do not fit");
   check(draw(trial, 16, lines) == whole, "kept lines differ");
 }
@@ -418,7 +421,7 @@ void print(const Trial& trial) {
       options.bidi() != nullptr, options.fallback.size,
       options.letter_spacing.raw, trial.styles[0].has_whole_advances());
   TextLine line;
-  while (next_line(options, trial.view(), trial.room(), line)) {
+  while (next_line(options, {}, trial.view(), trial.room(), line)) {
     std::printf("  [%u, %u) next %u, skip %u + %u, width %d, level %d%s\n",
                 line.begin, line.end(), line.next, line.skip_at,
                 line.skip_length, line.width, line.base_level,
@@ -436,7 +439,7 @@ bool try_endless_marks(const FontFile& font) {
   const LayoutOptions options(font.font, style);
   TextLine line;
   size_t lines = 0;
-  while (lines < 10 && next_line(options, {text.data(), text.size()},
+  while (lines < 10 && next_line(options, {}, {text.data(), text.size()},
                                  Q26_6::from_int(100), line)) {
     ++lines;
   }
@@ -451,7 +454,7 @@ bool try_one(uint32_t id, const FontFile& font, const FontFile& cjk) {
   wrong = nullptr;
   const Trial trial(id, font, cjk);
   const size_t before = allocations;
-  static_cast<void>(trial.box.measure(trial.view()));
+  static_cast<void>(trial.box.measure(trial.view(), {}));
   check(allocations == before, "measuring allocates");
   check_lines(trial);
   check_carets(trial);

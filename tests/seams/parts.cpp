@@ -46,7 +46,7 @@ Bitmap draw(const Font& font,
   port::A8Canvas canvas(
       {{picture.pixels.data(), picture.pixels.size()}, 0, 0, side, side, side});
   if (is_one_bit) {
-    canvas.adapt = port::MonoRowsCanvas().adapt;
+    canvas.levels = port::MonoRowsCanvas().levels;
   }
   Painter(canvas).glyph(
       font, style,
@@ -183,7 +183,11 @@ int main(int argc, char** argv) {
       for (int fitted = 0; fitted < 2; ++fitted) {
         const Fitter* const fitter = fitted != 0 ? &kFitTwoLevels : nullptr;
         Style style(Q26_6::from_int(px));
-        style.set_fitter(fitter, nullptr);
+        if (fitter != nullptr) {
+          style.set_fit(*fitter, nullptr);
+        } else {
+          style.clear_fit();
+        }
         for (int phase = 0; phase < (parts > 1 ? 64 : 4); ++phase) {
           // All 64ths of both axes, none of them with all of the other.
           const FinePoint shift = {phase * 16 * 21 % 1024, phase * 16};

@@ -5,8 +5,9 @@
 void draw_greeting(const inkcell_font_t* font,
                    const inkcell_style_t* style,
                    const inkcell_sink_t* sink) {
-  inkcell_draw_shaped(font, &ui_c_strings_greeting, style, INKCELL_Q6(4),
-                      INKCELL_Q6(28), sink, NULL);
+  const inkcell_painter_t painter = {.sink = sink};
+  inkcell_draw_shaped(&painter, font, &ui_c_strings_greeting, style,
+                      INKCELL_Q6(4), INKCELL_Q6(28));
 }
 
 inkcell_status_t open_greeting_font(inkcell_font_t* out) {
@@ -18,8 +19,8 @@ inkcell_status_t measure_greeting(const inkcell_font_t* font,
                                   inkcell_positioned_glyph_t* out,
                                   size_t capacity,
                                   size_t* count,
-                                  inkcell_text_measure_t* measure) {
-  inkcell_measure_shaped(font, &ui_c_strings_greeting, style, measure);
-  return inkcell_lay_out_shaped(font, &ui_c_strings_greeting, style, out,
+                                  inkcell_pixel_measure_t* measure) {
+  inkcell_measure_shaped(NULL, font, &ui_c_strings_greeting, style, measure);
+  return inkcell_lay_out_shaped(NULL, font, &ui_c_strings_greeting, style, out,
                                 capacity, count);
 }

@@ -14,14 +14,14 @@ void draw_greeting(const inkcell_font_t* font,
 /// The font that has the string.
 inkcell_status_t open_greeting_font(inkcell_font_t* out);
 
-/// Its glyphs and its ink, of a style or as designed, and BUFFER_SMALL for room
+/// Its glyphs and its ink, of a style, and BUFFER_SMALL for room
 /// that is too small.
 inkcell_status_t measure_greeting(const inkcell_font_t* font,
                                   const inkcell_style_t* style,
                                   inkcell_positioned_glyph_t* out,
                                   size_t capacity,
                                   size_t* count,
-                                  inkcell_text_measure_t* measure);
+                                  inkcell_pixel_measure_t* measure);
 
 #ifdef __cplusplus
 }

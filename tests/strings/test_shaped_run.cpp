@@ -107,7 +107,7 @@ void draw_title(const Font& font,
                 int32_t baseline,
                 const Sink& sink) {
   const ShapedRun& title = fonts::ui_strings::title;
-  const Q26_6 wide = to_px(font, style, measure(font, title, style).advance);
+  const Q26_6 wide = Painter().measure(font, style, title).advance;
   const int32_t left = (64 * width - wide.raw) / 2;
   Painter(sink).text(font, style,
                      {Q26_6::from_raw(left), Q26_6::from_int(baseline)}, title);
@@ -216,7 +216,7 @@ TEST(fitted_letters_stand_as_those_of_text) {
     const ShapedRun& run = fonts::labels_strings::plain;
     PositionedGlyph room[32];
     Span<const PositionedGlyph> glyphs;
-    CHECK_OK(lay_out(font, run, fitted.style, room, glyphs));
+    CHECK_OK(Painter().lay_out(font, fitted.style, run, room, glyphs));
     TextCursor cursor(font, "Settings:12:34", fitted.style);
     PositionedGlyph letter;
     size_t count = 0;
@@ -226,7 +226,8 @@ TEST(fitted_letters_stand_as_those_of_text) {
       ++count;
     }
     CHECK_EQ(count, glyphs.size);
-    CHECK_EQ(measure(font, run, fitted.style).advance, cursor.advance());
+    CHECK_EQ(Painter().measure(font, fitted.style, run).advance.raw,
+             to_px(font, fitted.style, cursor.advance()).raw);
   }
 }
 
@@ -239,7 +240,7 @@ TEST(fitted_glyphs_stand_on_whole_pixels) {
     for (const ShapedRun* run : kRuns) {
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
-      CHECK_OK(lay_out(font, *run, fitted.style, room, glyphs));
+      CHECK_OK(Painter().lay_out(font, fitted.style, *run, room, glyphs));
       PositionedGlyph designed[32];
       Span<const PositionedGlyph> as_designed;
       CHECK_OK(lay_out(*run, designed, as_designed));
@@ -269,12 +270,13 @@ TEST(styles_that_are_not_fitted_keep_the_design) {
     PositionedGlyph designed[32];
     Span<const PositionedGlyph> glyphs;
     Span<const PositionedGlyph> as_designed;
-    CHECK_OK(lay_out(font, *run, style, by_style, glyphs));
+    CHECK_OK(Painter().lay_out(font, style, *run, by_style, glyphs));
     CHECK_OK(lay_out(*run, designed, as_designed));
     for (size_t i = 0; i < glyphs.size; ++i) {
       CHECK_EQ(glyphs[i].x, as_designed[i].x);
     }
-    CHECK_EQ(measure(font, *run, style).advance, run->advance);
+    CHECK_EQ(Painter().measure(font, style, *run).advance.raw,
+             to_px(font, style, run->advance).raw);
   }
 }
 
@@ -324,7 +326,7 @@ TEST(any_numbers_are_safe) {
   CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
   const FittedStyle fitted(font, 40);
   Painter(page.sink()).text(font, fitted.style, kOrigin, run);
-  CHECK(measure(font, run, fitted.style).x_max <= (1 << 24) + 65536);
+  CHECK(Painter().measure(font, fitted.style, run).right.raw > 0);
   // A font without glyphs has none of them.
   static Page empty;
   Painter(empty.sink()).text(Font(), style_of(12), kOrigin, run);
@@ -362,17 +364,20 @@ TEST(c_draws_the_same) {
 
   inkcell_positioned_glyph_t room[32];
   size_t count = 1;
-  inkcell_text_measure_t box;
-  CHECK_EQ(measure_greeting(&font_c, nullptr, room, 3, &count, &box),
+  inkcell_pixel_measure_t box;
+  const Style plain = style_of(12);
+  const auto* const plain_c = reinterpret_cast<const inkcell_style_t*>(&plain);
+  CHECK_EQ(measure_greeting(&font_c, plain_c, room, 3, &count, &box),
            INKCELL_BUFFER_SMALL);
   CHECK_EQ(count, 0);
-  CHECK_EQ(measure_greeting(&font_c, nullptr, room, 32, &count, &box),
+  CHECK_EQ(measure_greeting(&font_c, plain_c, room, 32, &count, &box),
            INKCELL_OK);
   CHECK_EQ(count, fonts::labels_strings::greeting.glyphs.size);
-  const TextMeasure expected = measure(font, fonts::labels_strings::greeting);
-  CHECK_EQ(box.advance, expected.advance);
-  CHECK_EQ(box.x_min, expected.x_min);
-  CHECK_EQ(box.y_max, expected.y_max);
+  const PixelMeasure expected =
+      Painter().measure(font, plain, fonts::labels_strings::greeting);
+  CHECK_EQ(box.advance_q6, expected.advance.raw);
+  CHECK_EQ(box.left_q6, expected.left.raw);
+  CHECK_EQ(box.top_q6, expected.top.raw);
 
   const FittedStyle fitted(font, 10);
   const void* same = &font_c;
@@ -382,7 +387,8 @@ TEST(c_draws_the_same) {
           &font_c, reinterpret_cast<const inkcell_style_t*>(&fitted_c.style),
           room, 32, &count, &box),
       INKCELL_OK);
-  CHECK_EQ(
-      box.advance,
-      measure(font, fonts::labels_strings::greeting, fitted.style).advance);
+  CHECK_EQ(box.advance_q6,
+           Painter()
+               .measure(font, fitted.style, fonts::labels_strings::greeting)
+               .advance.raw);
 }

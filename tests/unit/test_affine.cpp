@@ -1,6 +1,7 @@
 // Styles of any matrix: which are allowed, and what their steps are.
 #include "check.hpp"
 #include "inkcell/style.hpp"
+#include "place/style_parts.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -118,7 +119,7 @@ TEST(stretches_of_matrices) {
 TEST(matrices_in_range_are_kept) {
   const Style tall = style_of({4, 0, 0, 1024});
   CHECK_EQ(tall.size().raw, 1024 << 6);
-  CHECK_EQ(tall.least_gain_q15(), 1 << 7);
+  CHECK_EQ(detail::StyleParts::least_gain_q15(tall), 1 << 7);
   CHECK(!style_of({0, -4, 4, 0}).is_stretched());
   CHECK(maps_as(style_of({-1024, 0, 0, 4}), {-1024, 0, 0, 4}));
   const Style leaning = style_of({20, 8, 0, 20});
@@ -158,7 +159,7 @@ TEST(any_matrix_makes_a_style) {
     const Style style(matrix, kFilterText);
     CHECK(style.size().raw >= kMinSize.raw);
     CHECK(style.size().raw <= kMaxSize.raw);
-    const int32_t gain = style.least_gain_q15();
+    const int32_t gain = detail::StyleParts::least_gain_q15(style);
     CHECK(gain >= 127 && gain <= 1 << 15);
     const int64_t steps[] = {style.right().x_q20, style.right().y_q20,
                              style.up().x_q20, style.up().y_q20};
@@ -210,7 +211,7 @@ TEST(stretches_within_1_1024_are_alike) {
   style = Style(matrix, kFilterText);
   CHECK_EQ(style.size().raw, 4 << 6);
   CHECK(style.is_stretched());
-  CHECK(style.least_gain_q15() < 1 << 15);
+  CHECK(detail::StyleParts::least_gain_q15(style) < 1 << 15);
 }
 
 TEST(the_upright_matrix_is_upright) {
@@ -250,7 +251,7 @@ TEST(steps_undo_the_matrix) {
     const Style style = style_of(map);
     CHECK(is_in_range(map));
     CHECK(magnitude(style.size().raw / 64.0 - most) < 1.0 / 64);
-    const double gain = style.least_gain_q15() / 32768.0;
+    const double gain = detail::StyleParts::least_gain_q15(style) / 32768.0;
     CHECK(most - least < most / 500 || magnitude(gain - least / most) < 0.004);
     const double x = random.between(-2000, 2000);
     const double y = random.between(-2000, 2000);

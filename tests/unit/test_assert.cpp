@@ -8,9 +8,11 @@
 #include "check.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fixed.hpp"
+#include "inkcell/layout/text_box.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "outline_record.hpp"
+#include "place/style_parts.hpp"
 #include "rows/emit_band.hpp"
 
 namespace {
@@ -125,9 +127,21 @@ TEST(styles_are_checked_before_they_draw) {
   CHECK(ends(draw));
 }
 
+TEST(boxes_are_made) {
+  static TextBox box;
+  const auto draw = [] { box.draw("A", Painter(kSink)); };
+  CHECK(ends(draw));
+  static Font font;
+  static Style style(9_px, kFilterText);
+  box = TextBox(font, style, {0, 0, 9, 9});
+  CHECK(!ends(draw));
+  box.clip = {};  // as where a constructor was not run
+  CHECK(ends(draw));
+}
+
 TEST(slants_are_of_slanted_styles) {
   static Style style;
-  const auto ask = [] { kept_address = &style.slant(); };
+  const auto ask = [] { kept_address = &detail::StyleParts::slant(style); };
   CHECK(ends(ask));
   Direction down;
   down.cosine.raw = 0;

@@ -55,8 +55,7 @@ TEST(label_is_that_of_cpp) {
   const port::MonoPagesCanvas canvas(
       {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH});
   CHECK_OK(canvas.status());
-  const int32_t width =
-      to_px(font, style, measure(font, kText, style).advance).raw;
+  const int32_t width = Painter(canvas).measure(font, style, kText).advance.raw;
   Painter(canvas).text(
       font, style,
       {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
@@ -79,7 +78,8 @@ TEST(a_style_that_is_refused_draws_nothing) {
   };
   const auto draw_24 = [&](const inkcell_style_t& style) {
     has_drawn = false;
-    inkcell_draw_text(&font, "A", 1, &style, 0, 24 << 6, &sink, nullptr);
+    const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+    inkcell_draw_text(&painter, &font, "A", 1, &style, 0, 24 << 6);
     return has_drawn;
   };
   inkcell_style_t style;
@@ -202,10 +202,11 @@ TEST(values_are_those_of_cpp) {
     CHECK_EQ(inkcell_mono_pages_sink(&target, &sink), INKCELL_OK);
     char number[INKCELL_NUMBER_BYTES];
     inkcell_rect_t rect;
-    inkcell_value_label_set(&by_c,
+    const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+    inkcell_value_label_set(&by_c, &painter,
                             inkcell_number_text(tenths, 1, 1, '.', number),
-                            INKCELL_TERMINATED, &sink, &rect);
-    inkcell_value_label_draw(&by_c, &sink, nullptr);
+                            INKCELL_TERMINATED, &rect);
+    inkcell_value_label_draw(&by_c, &painter);
     CHECK_EQ(differences(pages[0], pages[1]), 0);
     CHECK_EQ(rect.x0, changed.x0);
     CHECK_EQ(rect.y0, changed.y0);
@@ -232,13 +233,13 @@ TEST(a_paragraph_tells_its_pixels) {
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &rect);
   inkcell_rect_t pixels;
-  inkcell_text_box_box(&box, kLongText, INKCELL_TERMINATED, nullptr, 0,
+  inkcell_text_box_box(&box, nullptr, kLongText, INKCELL_TERMINATED, nullptr, 0,
                        &pixels);
   const Font same_font = open();
   const Style same_style(14_px, kFilterText);
   const Rect same = TextBox(same_font, same_style,
                             {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4})
-                        .box(kLongText);
+                        .box(kLongText, {});
   CHECK(same.x1 > same.x0 && same.y1 > same.y0);
   CHECK_EQ(pixels.x0, same.x0);
   CHECK_EQ(pixels.y0, same.y0);
@@ -263,7 +264,7 @@ TEST(a_morph_needs_its_pair) {
   CHECK_EQ(inkcell_outline_morph_open(&font, 2, 2, &morph), INKCELL_OK);
   inkcell_rect_t plain;
   inkcell_outline_morph_box(&morph, &style, 0, 0, 1 << 16, &box);
-  inkcell_glyph_box(&font, 2, &style, 0, 0, &plain);
+  inkcell_glyph_box(nullptr, &font, 2, &style, 0, 0, &plain);
   CHECK(plain.x1 > plain.x0);
   CHECK_EQ(box.x0, plain.x0);
   CHECK_EQ(box.y1, plain.y1);

@@ -30,7 +30,8 @@ TEST(status_names) {
   CHECK(is_name(INKCELL_BUFFER_SMALL, "buffer_small"));
   CHECK(is_name(INKCELL_BEYOND_BAND, "beyond_band"));
   CHECK(is_name(INKCELL_READ_FAILED, "read_failed"));
-  CHECK(is_name(11, "unknown"));
+  CHECK(is_name(INKCELL_NEEDS_SHAPING, "needs_shaping"));
+  CHECK(is_name(13, "unknown"));
   CHECK(is_name(255, "unknown"));
 }
 
@@ -66,7 +67,8 @@ TEST(a_font_that_is_refused_is_empty) {
   CHECK_EQ(inkcell_style_make(16 << 6, &inkcell_filter_text, &style),
            INKCELL_OK);
   const inkcell_sink_t sink = no_sink();
-  inkcell_draw_text(&font, "A", 1, &style, 0, 0, &sink, nullptr);
+  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+  inkcell_draw_text(&painter, &font, "A", 1, &style, 0, 0);
 }
 
 TEST(styles_out_of_range_are_refused) {

@@ -7,6 +7,7 @@
 #include "inkcell/few_levels.hpp"
 #include "inkcell/painter.hpp"
 #include "picture.hpp"
+#include "place/style_parts.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -228,7 +229,7 @@ TEST(heights_can_be_fitted_alone) {
   GlyphMetrics metrics;
   CHECK_OK(font.glyph_metrics(two, metrics));
   Style style = style_of(10 * 64);
-  style.set_fitter(&kFitHeights, &fit);
+  style.set_fit(kFitHeights, &fit);
   kFitHeights.fit(font, style, two, metrics, origin, warp);
   CHECK_EQ(origin.x_q10, 300);
   CHECK_EQ(origin.y_q10, 1024);
@@ -245,12 +246,16 @@ TEST(heights_can_be_fitted_alone) {
 TEST(sinks_of_few_levels_fit_text) {
   const Font font = hinted_font();
   Sink sink;
-  sink.adapt = detail::adapt_to_two_levels;
+  sink.levels = &detail::kTwoLevelRule;
+  const Painter painter(sink);
   Style room;
   const Style open(10_px);
-  CHECK(open.is_fit_open());
-  const Style& fitted = sink.adapt(open, false, room);
-  CHECK(&fitted == &room && !fitted.is_fit_open());
+  CHECK(detail::StyleParts::is_fit_open(open));
+  const Style& fitted = painter.adapted(open, room);
+  CHECK(&fitted == &room && !detail::StyleParts::is_fit_open(fitted));
+  // Once is enough.
+  Style other;
+  CHECK(&painter.adapted(fitted, other) == &fitted);
   CHECK(fitted.has_whole_advances());
   CHECK(is_same(fitted, two_level_style(10_px)));
   // As with a Fit.
@@ -268,12 +273,12 @@ TEST(sinks_of_few_levels_fit_text) {
   for (int32_t i = 0; i != warp.x.count; ++i) {
     CHECK_EQ(warp.x.knots[i].to_q8, same.x.knots[i].to_q8);
   }
-  // Laid out, large or closed text keeps its advances, with the effect.
-  CHECK(!sink.adapt(open, true, room).is_fitted());
-  CHECK(!sink.adapt(Style(40_px), false, room).is_fitted());
+  // Moving, large or closed text keeps its advances, with the effect.
+  CHECK(!painter.for_motion().adapted(open, room).is_fitted());
+  CHECK(!painter.adapted(Style(40_px), room).is_fitted());
   Style closed(10_px);
-  closed.set_fitter(nullptr, nullptr);
-  CHECK(!sink.adapt(closed, false, room).is_fitted());
+  closed.clear_fit();
+  CHECK(!painter.adapted(closed, room).is_fitted());
   CHECK(room.effect() != nullptr);
 }
 
@@ -334,11 +339,10 @@ TEST(text_is_measured_as_it_is_drawn) {
     width_px += fit.advance_px(font, static_cast<uint16_t>(1 + i % 5));
   }
   const Text all(text, sizeof text);
-  CHECK_EQ(to_px(font, style, measure(font, all, style).advance).raw,
-           width_px * 64);
+  CHECK_EQ(Painter().measure(font, style, all).advance.raw, width_px * 64);
   static PositionedGlyph room[sizeof text];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(lay_out(font, all, style, {room, sizeof text}, glyphs));
+  CHECK_OK(Painter().lay_out(font, style, all, {room, sizeof text}, glyphs));
   CHECK_EQ(glyphs.size, sizeof text);
   int32_t x_px = 0;
   TextCursor cursor(font, all, style);
@@ -358,7 +362,7 @@ TEST(text_is_measured_as_it_is_drawn) {
     whole = Picture<32, 9>();
     drawn = Picture<32, 9>();
     const Point rounded = {Q26_6::from_int(part < 32 ? 1 : 2), origin.y};
-    CHECK_OK(lay_out(font, "BAB", style, {room, 3}, glyphs));
+    CHECK_OK(Painter().lay_out(font, style, "BAB", {room, 3}, glyphs));
     for (const PositionedGlyph& glyph : glyphs) {
       Painter(whole.sink()).glyphs(font, style, rounded, {&glyph, 1});
       Painter(drawn.sink()).glyphs(font, style, origin, {&glyph, 1});

@@ -47,7 +47,7 @@ void check_bits(MakeBits make) {
   buffer[sizeof buffer - 1] = 0x5a;
   MonoRowsCanvas canvas = make(buffer, kWidth, kHeight);
   CHECK_EQ(canvas.strip().pixels.size, sizeof buffer - 1);
-  canvas.adapt = nullptr;  // text as on other canvases
+  canvas.levels = nullptr;  // text as on other canvases
   display_page::draw_page(canvas, 0);
   check_pixels(
       kWidth, kHeight,
@@ -127,7 +127,7 @@ TEST(u8g2_buffers_are_drawn_on) {
   static uint8_t buffer[8 * kTiles * 8];
   const auto canvas_of = [](uint8_t* bytes, auto... where) {
     MonoPagesCanvas canvas = u8g2_buffer(bytes, kTiles, where...);
-    canvas.adapt = nullptr;  // text as on other canvases
+    canvas.levels = nullptr;  // text as on other canvases
     return canvas;
   };
   display_page::draw_page(canvas_of(buffer, 8), 0);

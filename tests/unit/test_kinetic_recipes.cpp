@@ -179,7 +179,7 @@ void type(Screen& screen) {
   Typewriter line(font, style, {2, 30}, "012:3", 90);  // 90 ms a letter
   for (int32_t now = 0; now < 3000; now = line.next_due(now)) {
     screen.wait_until(now);
-    screen.redraw(line.at(now), line);
+    screen.redraw(line.at(now, {}), line);
   }
 }
 
@@ -188,7 +188,7 @@ void reveal(Screen& screen) {
   Wipe title(font, style, {2, 30}, "01234", timing);
   for (int32_t now = 0; now < 1100 + kFrameMs; now += kFrameMs) {
     screen.wait_until(now);
-    screen.redraw(title.at(now), title);
+    screen.redraw(title.at(now, {}), title);
   }
 }
 
@@ -246,14 +246,15 @@ struct Ticker {
     window.target = &painter.sink();
     window.window = kBox;
     window.soft.left = window.soft.right = 16;  // [px]
-    label.draw_endless(scroll, kGap, make_sink(window), painter.ram());
+    const Sink sink = make_sink(window);
+    label.draw_endless(scroll, kGap, painter.with(sink));
   }
 };
 
 Status run_by(Screen& screen) {
   PositionedGlyph glyphs[16];  // one for each letter, or more
   Ticker ticker;
-  INKCELL_TRY(ScrollingLabel::make(LayoutOptions(font, style), "00000000",
+  INKCELL_TRY(ScrollingLabel::make(LayoutOptions(font, style), {}, "00000000",
                                    Ticker::kBox, glyphs, ticker.label));
   for (int32_t now = 0; now < 4000; now += kFrameMs) {
     screen.wait_until(now);
@@ -347,24 +348,24 @@ TEST(typewriters_type) {
 
   Typewriter line(font, style, {2, 30}, "012:3", 90);
   CHECK_EQ(line.end_ms(), 450);
-  line.at(450 + 530);  // the caret is off
+  line.at(450 + 530, {});  // the caret is off
   check_plain(line, {2, 30}, "012:3");
-  line.at(2 * 90 + 89);
+  line.at(2 * 90 + 89, {});
   draw(line, whole, kAll);
   CHECK_EQ(whole[28 * kWidth + line.caret().x0], 255);
   // It erases where time goes back.
   for (int32_t now = 600; now > -50; now -= 17) {
-    screen.redraw(line.at(now), line);
+    screen.redraw(line.at(now, {}), line);
   }
   // Nothing changes before it is due.
   for (int32_t now = -100; now < 2000; now += 7) {
-    line.at(now);
+    line.at(now, {});
     const int32_t due = line.next_due(now);
     CHECK(due > now);
-    CHECK(is_empty(line.at(due - 1)));
+    CHECK(is_empty(line.at(due - 1, {})));
   }
-  line.at(INT32_MAX);
-  line.at(INT32_MIN);
+  line.at(INT32_MAX, {});
+  line.at(INT32_MIN, {});
 }
 
 TEST(wipes_reveal_and_hide) {
@@ -374,16 +375,16 @@ TEST(wipes_reveal_and_hide) {
   Wipe hides(font, style, {2, 30}, "01234", {0, 1000}, Wipe::Kind::hide);
   int32_t last = -1;
   for (int32_t now = 0; now <= 1000; now += 50) {
-    shows.at(now);
+    shows.at(now, {});
     draw(shows, whole, kAll);
     const int32_t ink = ink_of(whole);
     CHECK(now == 0 ? ink == 0 : ink >= last);
     last = ink;
-    screen.redraw(hides.at(now), hides);
+    screen.redraw(hides.at(now, {}), hides);
   }
   check_plain(shows, {2, 30}, "01234");
   CHECK_EQ(ink_of(screen.shown), 0);
-  hides.at(0);
+  hides.at(0, {});
   check_plain(hides, {2, 30}, "01234");
 }
 
@@ -427,7 +428,7 @@ TEST(tickers_fade_at_their_ends) {
   CHECK_EQ(screen.redraws, 122);
   PositionedGlyph glyphs[16];
   Ticker ticker;
-  CHECK_OK(ScrollingLabel::make(LayoutOptions(font, style), "00000000",
+  CHECK_OK(ScrollingLabel::make(LayoutOptions(font, style), {}, "00000000",
                                 Ticker::kBox, glyphs, ticker.label));
   int32_t columns[2] = {};
   for (int32_t now = 0; now < 4000; now += 33) {

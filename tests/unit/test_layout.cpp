@@ -4,6 +4,7 @@
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/port/mono_pages.hpp"
 #include "layout_font.hpp"
 #include "picture.hpp"
 
@@ -53,11 +54,11 @@ void check_lines(const LayoutOptions& options,
                  const Expected (&expected)[kCount]) {
   TextLine line;
   for (const Expected& wanted : expected) {
-    CHECK(next_line(options, text, Q26_6::from_int(px), line));
+    CHECK(next_line(options, {}, text, Q26_6::from_int(px), line));
     CHECK_EQ(line.end(), wanted.end);
     CHECK_EQ(line.next, wanted.next);
   }
-  CHECK(!next_line(options, text, Q26_6::from_int(px), line));
+  CHECK(!next_line(options, {}, text, Q26_6::from_int(px), line));
 }
 
 // What docs/LAYOUT.md shows.
@@ -71,7 +72,7 @@ Status make_screen(const Font& font, const Style& style, Screen& out) {
   out.box = TextBox(font, style, {4, 4, 124, 44}, Align::centre);
   out.box.vertical = VerticalAlign::middle;
   out.box.options.ellipsis = Ellipsis::end;
-  return ScrollingLabel::make(out.box.options, "Now playing: a long title",
+  return ScrollingLabel::make(out.box.options, {}, "Now playing: a long title",
                               {0, 48, 128, 64}, out.glyphs, out.label);
 }
 
@@ -114,15 +115,15 @@ TEST(widths_are_those_of_what_is_seen) {
   const Setting setting;
   LayoutOptions options(setting.font, setting.style);
   TextLine line;
-  CHECK(next_line(options, "AB   ", Q26_6::from_int(99), line));
+  CHECK(next_line(options, {}, "AB   ", Q26_6::from_int(99), line));
   CHECK_EQ(line.width, 1500);  // without spaces at the end
   options.letter_spacing = Q26_6::from_int(1);
   line = {};
-  CHECK(next_line(options, "ABA", Q26_6::from_int(99), line));
+  CHECK(next_line(options, {}, "ABA", Q26_6::from_int(99), line));
   CHECK_EQ(line.width, 3 * 750 + 2 * 100);
   options.letter_spacing = {};
   line = {};
-  CHECK(next_line(options,
+  CHECK(next_line(options, {},
                   "A\xe2\x80\x8b\xc2\xad\xef\xb8\x8f"
                   "B",
                   Q26_6::from_int(99), line));
@@ -133,14 +134,14 @@ TEST(soft_hyphens_show_where_lines_end) {
   const Setting setting;
   const LayoutOptions options(setting.font, setting.style);
   TextLine line;
-  CHECK(next_line(options,
+  CHECK(next_line(options, {},
                   "AB\xc2\xad"
                   "AB",
                   Q26_6::from_int(22), line));
   CHECK(line.has_hyphen);
   CHECK_EQ(line.next, 4);
   CHECK_EQ(line.width, 2 * 750 + 600);
-  CHECK(next_line(options,
+  CHECK(next_line(options, {},
                   "AB\xc2\xad"
                   "AB",
                   Q26_6::from_int(22), line));
@@ -164,8 +165,8 @@ TEST(fonts_may_lack_what_layout_adds) {
   Span<const PositionedGlyph> glyphs;
   TextLine line;
   const Text text = "A A\xcc\x87\xd6\xb0\xcc\x81 A";
-  CHECK(next_line(options, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
+  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
   CHECK_EQ(glyphs.size, 3);
   CHECK_EQ(line.width, 3 * 750);
   CHECK_EQ(line.width, measure(setting.font, text).advance);
@@ -174,11 +175,11 @@ TEST(fonts_may_lack_what_layout_adds) {
       "AA\xc2\xad"
       "AA";
   line = {};
-  CHECK(next_line(options, hyphenated, Q26_6::from_int(16), line));
+  CHECK(next_line(options, {}, hyphenated, Q26_6::from_int(16), line));
   CHECK_EQ(line.next, 4);
   CHECK_EQ(line.width, 2 * 750);
-  CHECK_OK(
-      lay_out(options, hyphenated, line, Q26_6::from_int(16), room, glyphs));
+  CHECK_OK(lay_out(options, {}, hyphenated, line, Q26_6::from_int(16), room,
+                   glyphs));
   CHECK_EQ(glyphs.size, 2);
 
   options.wraps = false;
@@ -186,10 +187,10 @@ TEST(fonts_may_lack_what_layout_adds) {
   for (const Ellipsis place : places) {
     options.ellipsis = place;
     line = {};
-    CHECK(next_line(options, "AAAAA", Q26_6::from_int(24), line));
-    shorten(options, "AAAAA", Q26_6::from_int(24), line);
+    CHECK(next_line(options, {}, "AAAAA", Q26_6::from_int(24), line));
+    shorten(options, {}, "AAAAA", Q26_6::from_int(24), line);
     CHECK_OK(
-        lay_out(options, "AAAAA", line, Q26_6::from_int(24), room, glyphs));
+        lay_out(options, {}, "AAAAA", line, Q26_6::from_int(24), room, glyphs));
     CHECK_EQ(glyphs.size, 3);
     for (const PositionedGlyph& glyph : glyphs) {
       CHECK_EQ(glyph.glyph, 1);
@@ -207,8 +208,8 @@ TEST(tabs_stop) {
   Span<const PositionedGlyph> glyphs;
   TextLine line;
   const Text text = "A\tB\tC\tC";
-  CHECK(next_line(options, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
+  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
   CHECK_EQ(glyphs.size, 4);
   CHECK_EQ(glyphs[1].x, 1200);
   CHECK_EQ(glyphs[2].x, 2000);  // behind the last stop: multiples
@@ -297,28 +298,28 @@ TEST(an_ellipsis_fills_its_line) {
   box.options.ellipsis = Ellipsis::end;  // three points of 6 px
   TextLine room[4];
   Span<const TextLine> lines;
-  CHECK_OK(box.lay_out("A ABABABAB", room, lines));
+  CHECK_OK(box.lay_out("A ABABABAB", {}, room, lines));
   CHECK_EQ(lines.size, 1);
   CHECK(lines[0].has_ellipsis);
   CHECK_EQ(lines[0].skip_at, 1);  // 'A' and no more than 16 px
   box.rect.x1 = 46;
-  CHECK_OK(box.lay_out("A ABABABAB", room, lines));
+  CHECK_OK(box.lay_out("A ABABABAB", {}, room, lines));
   CHECK_EQ(lines[0].skip_at, 4);  // 'A AB'
   CHECK_EQ(lines[0].width, 3 * 750 + 500 + 3 * 600);
   // In the second line, too, and not beyond its paragraph.
   box.rect.y1 = 22;
-  CHECK_OK(box.lay_out("A\nA ABABABAB", room, lines));
+  CHECK_OK(box.lay_out("A\nA ABABABAB", {}, room, lines));
   CHECK_EQ(lines.size, 2);
   CHECK(!lines[0].has_ellipsis);
   CHECK_EQ(lines[1].skip_at, 4);
-  CHECK_OK(box.lay_out("A\nA\nABABABAB", room, lines));
+  CHECK_OK(box.lay_out("A\nA\nABABABAB", {}, room, lines));
   CHECK_EQ(lines.size, 2);
   CHECK_EQ(lines[1].skip_at, 1);
   // By hand.
   TextLine line;
-  CHECK(next_line(box.options, "A ABABABAB", Q26_6::from_int(46), line));
+  CHECK(next_line(box.options, {}, "A ABABABAB", Q26_6::from_int(46), line));
   CHECK_EQ(line.next, 2);
-  shorten(box.options, "A ABABABAB", Q26_6::from_int(46), line);
+  shorten(box.options, {}, "A ABABABAB", Q26_6::from_int(46), line);
   CHECK_EQ(line.skip_at, 4);
 }
 
@@ -348,12 +349,111 @@ int32_t ink_of(const Picture<kWidth, kHeight>& picture) {
   return sum;
 }
 
+TEST(a_report_tells_of_what_is_not_drawn) {
+  const Setting setting;
+  const Sink sink = {{0, 0, 40, 40}};
+  TextReport report;
+  report.instead = TextReport::kNothing;
+  const Painter painter(sink, {}, nullptr, &report);
+  const TextBox box = setting.box({0, 0, 40, 40});
+  CHECK_EQ(box.measure("AxB", painter).width.raw,
+           box.measure("AB", {}).width.raw);
+  CHECK_EQ(report.status, Status::no_glyph);
+  CHECK_EQ(report.first_missing, 'x');
+  // Another face has it.
+  report = {};
+  const Face other = {&setting.font, &setting.style};
+  TextBox mixed = box;
+  mixed.options.fallback = {&other, 1};
+  report.substitute = [](uint32_t) noexcept { return uint32_t{'A'}; };
+  CHECK_EQ(mixed.measure("xx", painter).width.raw,
+           box.measure("AA", {}).width.raw);
+  CHECK_EQ(report.status, Status::ok);
+  // Arabic and Devanagari that nobody shaped; digits and Hebrew need no shaper.
+  constexpr const char* kPlain[] = {"\u05d0\u05d1", "\u0661\u0967", "\u05d0A"};
+  for (const char* const text : kPlain) {
+    report = {};
+    static_cast<void>(box.measure(text, painter));
+    CHECK(report.status != Status::needs_shaping);
+  }
+  constexpr const char* kJoined[] = {"A\u0628", "\u0939", "\u1000"};
+  for (const char* const text : kJoined) {
+    report = {};
+    static_cast<void>(box.measure(text, painter));
+    CHECK_EQ(report.status, Status::needs_shaping);
+  }
+  // A line that is longer than positions reach.
+  static char line[40000];
+  for (char& c : line) {
+    c = 'A';
+  }
+  report = {};
+  TextBox whole = box;
+  whole.options.wraps = false;
+  static_cast<void>(whole.measure({line, 100}, painter));
+  CHECK_EQ(report.status, Status::ok);
+  static_cast<void>(whole.measure({line, sizeof line}, painter));
+  CHECK_EQ(report.status, Status::cut);
+#if !INKCELL_ASSERTIONS
+  // As in static memory whose constructors were not run.
+  report = {};
+  whole.clip = {};
+  whole.draw("A", painter);
+  CHECK_EQ(report.status, Status::bad_argument);
+  report = {};
+  TextBox().draw("A", painter);
+  CHECK_EQ(report.status, Status::bad_argument);
+#endif
+}
+
+// On a canvas of 1 bit text is broken, measured and placed as it is drawn.
+TEST(boxes_on_few_levels_are_what_is_drawn) {
+  const Setting setting;
+  const Style open(13_px);
+  const Style fitted = port::MonoPagesCanvas::style(13_px);
+  static uint8_t pages[2][48 * 80 / 8];
+  const auto canvas = [](uint8_t(&page)[48 * 80 / 8]) {
+    return port::MonoPagesCanvas({page, 0, 0, 80, 48, 80});
+  };
+  constexpr const char* kText = "CABBA CA BAC ABACA";
+  const port::MonoPagesCanvas probe;
+  for (int32_t width = 30; width < 80; ++width) {
+    __builtin_memset(pages, 0, sizeof pages);
+    const TextBox by_canvas(setting.font, open, {1, 0, 1 + width, 48},
+                            Align::right);
+    const TextBox by_style(setting.font, fitted, {1, 0, 1 + width, 48},
+                           Align::right);
+    const TextSize size = by_canvas.measure(kText, probe);
+    const TextSize same = by_style.measure(kText, {});
+    CHECK_EQ(size.width.raw, same.width.raw);
+    CHECK_EQ(size.width.raw % 64, 0);
+    CHECK_EQ(size.lines, same.lines);
+    for (size_t i = 0; i < 18; ++i) {
+      CHECK_EQ(by_canvas.caret(kText, probe, {i, false}).x0,
+               by_style.caret(kText, {}, {i, false}).x0);
+    }
+    CHECK_EQ(by_canvas.hit(kText, probe, width / 2, 3).offset,
+             by_style.hit(kText, {}, width / 2, 3).offset);
+    const Rect box = by_canvas.box(kText, probe);
+    CHECK_EQ(box.x0, by_style.box(kText, {}).x0);
+    by_canvas.draw(kText, canvas(pages[0]));
+    by_style.draw(kText, canvas(pages[1]));
+    CHECK(__builtin_memcmp(pages[0], pages[1], sizeof pages[0]) == 0);
+    TextLine room[8];
+    Span<const TextLine> lines;
+    CHECK_OK(by_canvas.lay_out(kText, probe, room, lines));
+    __builtin_memset(pages[1], 0, sizeof pages[1]);
+    by_canvas.draw(kText, canvas(pages[1]), lines);
+    CHECK(__builtin_memcmp(pages[0], pages[1], sizeof pages[0]) == 0);
+  }
+}
+
 TEST(ink_may_overhang_a_box) {
   const Font font = open_overhanging();
   const Style style(10_px, kFilterText);
   TextBox box(font, style, {3, 8, 30, 20});
   box.options.line_height = 4_px;  // less than the disc
-  const TextSize size = box.measure("A");
+  const TextSize size = box.measure("A", {});
   box.rect.x1 = 3 + size.width.floor();
   box.rect.y1 = 8 + size.height.floor();
   CHECK_EQ(box.rect.x1, 6);
@@ -363,7 +463,7 @@ TEST(ink_may_overhang_a_box) {
   box.draw("A", boxed.sink());
   CHECK(ink_of(whole) > 26 * 255);
   CHECK_EQ(ink_of(whole), ink_of(boxed));
-  const Rect ink = box.box("A");
+  const Rect ink = box.box("A", {});
   const Rect by_painter = Painter().box(font, style, {3, 13}, "A");
   CHECK_EQ(ink.x0, by_painter.x0);
   CHECK_EQ(ink.y0, by_painter.y0);
@@ -374,8 +474,8 @@ TEST(ink_may_overhang_a_box) {
   box.clip = box.rect;
   box.draw("A", cut.sink());
   CHECK(ink_of(cut) < 12 * 255);
-  CHECK_EQ(box.box("A").x1, 6);
-  CHECK_EQ(box.box("A").y0, 8);
+  CHECK_EQ(box.box("A", {}).x1, 6);
+  CHECK_EQ(box.box("A", {}).y0, 8);
 }
 
 TEST(lines_outside_a_box_are_left_out) {
@@ -387,11 +487,11 @@ TEST(lines_outside_a_box_are_left_out) {
   // The second line alone, which begins in it; the third begins at 42.
   CHECK(picture.at(7, 24) != 0 && picture.at(7, 38) != 0);
   CHECK_EQ(picture.at(7, 50), 0);
-  CHECK(box.box(text).y0 >= 20 && box.box(text).y0 <= 22);
-  CHECK(box.box(text).y1 >= 39 && box.box(text).y1 <= 42);
+  CHECK(box.box(text, {}).y0 >= 20 && box.box(text, {}).y0 <= 22);
+  CHECK(box.box(text, {}).y1 >= 39 && box.box(text, {}).y1 <= 42);
   box.vertical = VerticalAlign::bottom;
-  CHECK(box.box(text).y0 >= 13 && box.box(text).y0 <= 15);
-  CHECK(box.box(text).y1 >= 32 && box.box(text).y1 <= 35);
+  CHECK(box.box(text, {}).y0 >= 13 && box.box(text, {}).y0 <= 15);
+  CHECK(box.box(text, {}).y1 >= 32 && box.box(text, {}).y1 <= 35);
 }
 
 TEST(mixed_lines_are_ordered) {
@@ -405,8 +505,8 @@ TEST(mixed_lines_are_ordered) {
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
   TextLine line;
-  CHECK(next_line(options, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
+  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
   const uint16_t expected[] = {0, 4, 2, 7};  // offsets from left to right
   CHECK_EQ(glyphs.size, 4);
   for (size_t i = 0; i != 4; ++i) {
@@ -418,23 +518,23 @@ TEST(carets_and_hits_agree) {
   const Setting setting;
   const TextBox box = setting.box({3, 2, 23, 60});
   const Text text = "AB CC";
-  CHECK_EQ(box.caret(text, {0, false}).x0, 3);
-  CHECK_EQ(box.caret(text, {1, false}).x0, 3 + 7);
-  CHECK_EQ(box.caret(text, {3, false}).x0, 3);
-  CHECK_EQ(box.caret(text, {3, false}).y0,
+  CHECK_EQ(box.caret(text, {}, {0, false}).x0, 3);
+  CHECK_EQ(box.caret(text, {}, {1, false}).x0, 3 + 7);
+  CHECK_EQ(box.caret(text, {}, {3, false}).x0, 3);
+  CHECK_EQ(box.caret(text, {}, {3, false}).y0,
            2 + line_height(box.options).floor());
-  CHECK_EQ(box.hit(text, 0, 0).offset, 0);
-  CHECK_EQ(box.hit(text, 3 + 9, 3).offset, 1);
-  CHECK_EQ(box.hit(text, 3 + 13, 3).offset, 2);
-  CHECK_EQ(box.hit(text, 99, 99).offset, 5);
+  CHECK_EQ(box.hit(text, {}, 0, 0).offset, 0);
+  CHECK_EQ(box.hit(text, {}, 3 + 9, 3).offset, 1);
+  CHECK_EQ(box.hit(text, {}, 3 + 13, 3).offset, 2);
+  CHECK_EQ(box.hit(text, {}, 99, 99).offset, 5);
   // A word that breaks: its place stands at the end of a line, or at the start
   // of the next.
   const Text word = "ABAB";
-  const TextPlace place = box.hit(word, 3 + 16, 3);
+  const TextPlace place = box.hit(word, {}, 3 + 16, 3);
   CHECK_EQ(place.offset, 2);
   CHECK(place.is_line_end);
-  CHECK_EQ(box.caret(word, place).x0, 3 + 15);
-  CHECK_EQ(box.caret(word, {2, false}).x0, 3);
+  CHECK_EQ(box.caret(word, {}, place).x0, 3 + 15);
+  CHECK_EQ(box.caret(word, {}, {2, false}).x0, 3);
 }
 
 // A stands in the first face, the Hebrew letter in the second one, that is half
@@ -451,10 +551,11 @@ TEST(faces_fall_back) {
   options.fallback = fallback;
   const Text text = "A\xd7\x90Z";
   TextLine line;
-  CHECK(next_line(options, text, Q26_6::from_int(100), line));
+  CHECK(next_line(options, {}, text, Q26_6::from_int(100), line));
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(100), room, glyphs));
+  CHECK_OK(
+      lay_out(options, {}, text, line, Q26_6::from_int(100), room, glyphs));
   CHECK_EQ(glyphs.size, 3);
   CHECK_EQ(glyphs[0].face, 0);
   CHECK_EQ(glyphs[1].face, 1);
@@ -470,10 +571,11 @@ TEST(labels_scroll) {
   const LayoutOptions options(setting.font, setting.style);
   PositionedGlyph room[8];
   ScrollingLabel label;
-  CHECK_EQ(ScrollingLabel::make(options, "CCCCCCCC", {0, 0, 20, 12}, {room, 7},
-                                label),
+  CHECK_EQ(ScrollingLabel::make(options, {}, "CCCCCCCC", {0, 0, 20, 12},
+                                {room, 7}, label),
            Status::buffer_small);
-  CHECK_OK(ScrollingLabel::make(options, "CACAC", {1, 0, 21, 12}, room, label));
+  CHECK_OK(
+      ScrollingLabel::make(options, {}, "CACAC", {1, 0, 21, 12}, room, label));
   CHECK(label.needs_scrolling());
   Picture<22, 12> picture;
   label.draw_endless(Q26_6::from_int(-10), Q26_6::from_int(4), picture.sink());
@@ -496,7 +598,7 @@ TEST(a_label_that_fits_is_not_cut) {
   options.line_height = 4_px;
   PositionedGlyph room[8];
   ScrollingLabel label;
-  CHECK_OK(ScrollingLabel::make(options, "A", {3, 8, 6, 12}, room, label));
+  CHECK_OK(ScrollingLabel::make(options, {}, "A", {3, 8, 6, 12}, room, label));
   static Picture<20, 20> whole, drawn, scrolled;
   inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
   label.draw({}, drawn.sink());
@@ -530,7 +632,7 @@ TEST(screens_have_paragraphs_and_labels) {
   static uint16_t cells[256];  // one for each byte of the longest paragraph
   static Bidi bidi(cells);
   TextBox box = screen.box;
-  const size_t lines = box.measure("A paragraph that wraps").lines;
+  const size_t lines = box.measure("A paragraph that wraps", {}).lines;
   box.options.set_bidi(bidi);
-  CHECK_EQ(box.measure("A paragraph that wraps").lines, lines);
+  CHECK_EQ(box.measure("A paragraph that wraps", {}).lines, lines);
 }

@@ -296,11 +296,11 @@ TEST(caches_layouts_and_fallbacks_take_stored_fonts) {
         }
         TextLine line;
         Point at = {Q26_6::from_int(2), Q26_6::from_int(12)};
-        while (next_line(options, text, Q26_6::from_int(60), line)) {
+        while (next_line(options, {}, text, Q26_6::from_int(60), line)) {
           PositionedGlyph room[16];
           Span<const PositionedGlyph> glyphs;
-          CHECK_OK(
-              lay_out(options, text, line, Q26_6::from_int(60), room, glyphs));
+          CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(60), room,
+                           glyphs));
           painter.glyphs(options.face, options.fallback, at, glyphs);
           at.y.raw += 14 * 64;
         }
@@ -339,11 +339,11 @@ TEST(a_page_of_text_is_read_once) {
     const LayoutOptions options(stored.font(), style);
     const Text page(text, sizeof text - 1);
     TextLine line;
-    while (next_line(options, page, Q26_6::from_int(kWidth), line)) {
+    while (next_line(options, {}, page, Q26_6::from_int(kWidth), line)) {
       PositionedGlyph room[16];
       Span<const PositionedGlyph> glyphs;
-      CHECK_OK(
-          lay_out(options, page, line, Q26_6::from_int(kWidth), room, glyphs));
+      CHECK_OK(lay_out(options, {}, page, line, Q26_6::from_int(kWidth), room,
+                       glyphs));
       Painter(sink).glyphs(stored.font(), style, kPen, glyphs);
     }
     CHECK_OK(stored.status());

@@ -2,6 +2,7 @@
 #include "inkcell/style.hpp"
 
 #include "check.hpp"
+#include "place/style_parts.hpp"
 #include "random.hpp"
 
 namespace {
@@ -49,7 +50,7 @@ TEST(default_style) {
   CHECK_EQ(kPlain.step_along_q16(), 64 << 16);
   CHECK_EQ(kPlain.step_across_q16(), 0);
   CHECK(&kPlain.filter() == &kFilterArea);
-  CHECK(kPlain.band_kind() == &detail::kAreaBand);
+  CHECK(detail::StyleParts::band_kind(kPlain) == &detail::kAreaBand);
   CHECK_EQ(kPlain.to_px_q10(64 << 10), 1 << 10);
   CHECK_EQ(kTitle.size().raw, 24 * 64);
   CHECK(&kTitle.filter() == &kFilterText);

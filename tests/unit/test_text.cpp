@@ -432,6 +432,78 @@ TEST(long_lines_end_at_the_limit) {
   CHECK_EQ(cursor.advance(), 1 << 24);  // 300 times 65535 are more
   CHECK(!cursor.next(glyph));
   CHECK_EQ(measure(font, {text, sizeof(text)}).advance, 1 << 24);
+  // A report tells of it.
+  const Sink sink;
+  TextReport report;
+  const Painter painter(sink, {}, nullptr, &report);
+  Painter(painter).measure(font, style_of(20), {text, 200});
+  CHECK_EQ(report.status, Status::ok);
+  painter.measure(font, style_of(20), {text, sizeof(text)});
+  CHECK_EQ(report.status, Status::cut);
+}
+
+// The glyphs that a painter with a report lays out.
+template <size_t kCount>
+void check_replaced(TextReport& report,
+                    Text text,
+                    const uint16_t (&expected)[kCount]) {
+  const Font font = sample();
+  const Sink sink;
+  const Painter painter(sink, {}, nullptr, &report);
+  PositionedGlyph buffer[8];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(painter.lay_out(font, style_of(20), text, buffer, run));
+  CHECK_EQ(run.size, kCount);
+  for (size_t i = 0; i < run.size && i < kCount; ++i) {
+    CHECK_EQ(run[i].glyph, expected[i]);
+  }
+}
+
+TEST(missing_characters_are_what_the_report_says) {
+  // A, B and C are glyphs 2, 3 and 4; x, y and z are missing.
+  TextReport report;
+  check_replaced(report, "AxBy", {2, 0, 3, 0});
+  CHECK_EQ(report.status, Status::no_glyph);
+  CHECK_EQ(report.missing, 2);
+  CHECK_EQ(report.first_missing, 'x');
+  report = {};
+  report.instead = TextReport::kNothing;
+  check_replaced(report, "AxBy", {2, 3});
+  CHECK_EQ(report.missing, 2);
+  report = {};
+  report.instead = 'C';
+  check_replaced(report, "AxBy", {2, 4, 3, 4});
+  report.instead = 'z';  // missing, too
+  check_replaced(report, "Ax", {2, 0});
+  CHECK_EQ(report.missing, 3);
+  report = {};
+  report.instead = TextReport::kNothing;
+  report.substitute = [](uint32_t code_point) noexcept {
+    return code_point == 'x' ? uint32_t{'B'} : code_point;
+  };
+  check_replaced(report, "AxBy", {2, 3, 3});
+  CHECK_EQ(report.missing, 1);
+  CHECK_EQ(report.first_missing, 'y');
+  // Spaces and what shows nothing are no missing characters.
+  report = {};
+  check_replaced(report, "A\u200b\u0301B", {2, 3});
+  CHECK_EQ(report.status, Status::ok);
+}
+
+TEST(measures_and_boxes_know_what_is_missing) {
+  const Font font = sample();
+  const Style style = style_of(20);
+  const Sink sink;
+  TextReport report;
+  report.instead = TextReport::kNothing;
+  const Painter painter(sink, {}, nullptr, &report);
+  CHECK_EQ(painter.measure(font, style, "AxB").advance.raw,
+           Painter().measure(font, style, "AB").advance.raw);
+  const Rect box = painter.box(font, style, at(3, 40), "xAx");
+  const Rect same = Painter().box(font, style, at(3, 40), "A");
+  CHECK_EQ(box.x0, same.x0);
+  CHECK_EQ(box.x1, same.x1);
+  CHECK_EQ(report.missing, 3);
 }
 
 TEST(a_run_is_its_glyphs) {

@@ -4,7 +4,10 @@
 
 #include "check.hpp"
 #include "inkcell/fit.hpp"
+#include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey8.hpp"
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/strip_loop.hpp"
 #include "inkcell/stroke.hpp"
 #include "outline_record.hpp"
@@ -86,7 +89,7 @@ void check_changes(const Font& font, const Style& style, Anchor anchor) {
   ValueLabel value(font, style, {60, 34}, anchor);
   show(value, 0, kAll);
   for (const char* const text : kTexts) {
-    const Rect changed = value.set(text);
+    const Rect changed = value.set(text, {});
     CHECK(!is_empty(changed));
     const int32_t sent = show(value, 0, changed);
     CHECK(sent > 0 && sent < kWidth * kHeight / 2);
@@ -98,7 +101,7 @@ void check_changes(const Font& font, const Style& style, Anchor anchor) {
 TEST(a_value_without_a_font_shows_nothing) {
   constexpr ValueLabel kEmpty;
   ValueLabel value = kEmpty;
-  CHECK(is_empty(value.set("21.5")));
+  CHECK(is_empty(value.set("21.5", {})));
   CHECK_EQ(value.text().size, 4);
   Sink sink;
   sink.window = {0, 0, kWidth, kHeight};
@@ -137,7 +140,7 @@ TEST(values_stand_at_their_anchor) {
       {Anchor::left, 0}, {Anchor::centre, width / 2}, {Anchor::right, width}};
   for (const auto& at : anchors) {
     ValueLabel value(font, style, {60, 34}, at.anchor);
-    const Rect changed = value.set("AD");
+    const Rect changed = value.set("AD", {});
     const Rect box = Painter().box(
         font, style, {Q26_6::from_raw(60 * 64 - at.left), 34_px}, "AD");
     CHECK_EQ(changed.x0, box.x0);
@@ -146,29 +149,74 @@ TEST(values_stand_at_their_anchor) {
   }
 }
 
+// On canvases of 1 and 2 bits, whose painters fit text: as with the style that
+// the canvas makes, by its advances.
+template <typename Canvas>
+void check_fitted_anchors(const Font& font, int32_t stride) {
+  static uint8_t pages[2][kHeight * kWidth];
+  const Style open(13_px);
+  const Style fitted = Canvas::style(13_px);
+  constexpr const char* kText = "DADEFADA";
+  const int32_t width = Painter().measure(font, fitted, kText).advance.raw;
+  CHECK(width != Painter().measure(font, open, kText).advance.raw);
+  constexpr Anchor kAnchors[] = {Anchor::left, Anchor::centre, Anchor::right};
+  for (const Anchor anchor : kAnchors) {
+    __builtin_memset(pages, 0, sizeof pages);
+    const auto canvas = [stride](uint8_t(&page)[kHeight * kWidth]) {
+      return Canvas({page, 0, 0, kWidth, 48, stride});
+    };
+    ValueLabel value(font, open, {60, 34}, anchor);
+    const Rect changed = value.set(kText, Canvas());
+    value.draw(canvas(pages[0]));
+    const int32_t left = anchor == Anchor::left     ? 0
+                         : anchor == Anchor::centre ? width / 2
+                                                    : width;
+    const Point at = {Q26_6::from_raw(60 * 64 - left), 34_px};
+    Painter(canvas(pages[1])).text(font, fitted, at, kText);
+    CHECK(__builtin_memcmp(pages[0], pages[1], sizeof pages[0]) == 0);
+    const Rect box = Painter().box(font, fitted, at, kText);
+    CHECK_EQ(changed.x0, box.x0);
+    CHECK_EQ(changed.x1, box.x1);
+    CHECK_EQ(changed.y0, box.y0);
+    CHECK_EQ(changed.y1, box.y1);
+  }
+}
+
+TEST(fitted_values_stand_at_their_anchor) {
+  const Font font = sample_font();
+  check_fitted_anchors<port::MonoPagesCanvas>(font, kWidth);
+  check_fitted_anchors<port::MonoRowsCanvas>(font, kWidth / 8);
+  check_fitted_anchors<port::Grey2Canvas>(font, kWidth / 4);
+}
+
 TEST(nothing_changes_if_the_text_is_the_same) {
   const Font font = sample_font();
   const Style style(20_px);
   ValueLabel value(font, style, {10, 30});
-  CHECK(is_empty(value.set("")));
+  CHECK(is_empty(value.set("", {})));
   char text[] = "AD";
-  CHECK(!is_empty(value.set(text)));
-  CHECK(is_empty(value.set("AD")));
+  CHECK(!is_empty(value.set(text, {})));
+  CHECK(is_empty(value.set("AD", {})));
   text[1] = 'E';  // the label has a copy
   CHECK(value.text().data[1] == 'D');
-  CHECK(!is_empty(value.set(text)));
+  CHECK(!is_empty(value.set(text, {})));
 }
 
 TEST(long_texts_are_cut_after_a_character) {
   const Font font = sample_font();
   const Style style(20_px);
   ValueLabel value(font, style, {10, 30});
-  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"));
+  TextReport report;
+  const Sink sink;
+  const Painter painter(sink, {}, nullptr, &report);
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA", painter));
   CHECK_EQ(value.text().size, 31);
-  CHECK(is_empty(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAB")));
-  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20ac"));
+  CHECK_EQ(report.status, Status::ok);
+  CHECK(is_empty(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAB", painter)));
+  CHECK_EQ(report.status, Status::cut);
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20ac", {}));
   CHECK_EQ(value.text().size, 29);
-  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20acA"));
+  static_cast<void>(value.set("AAAAAAAAAAAAAAAAAAAAAAAAAAAA\u20acA", {}));
   CHECK_EQ(value.text().size, 31);
 }
 

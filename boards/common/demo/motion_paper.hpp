@@ -15,7 +15,7 @@ inline namespace INKCELL_DEMO_NAME {
 class MotionPaper {
  public:
   explicit MotionPaper(const Strip& strip) noexcept : canvas_(strip) {
-    canvas_.adapt = nullptr;  // type that moves is not fitted
+    canvas_.levels = nullptr;  // type that moves is not fitted
   }
   MotionPaper(const MotionPaper&) = delete;
   MotionPaper& operator=(const MotionPaper&) = delete;

@@ -58,10 +58,11 @@ Status show_page(const Font& font, uint32_t page) noexcept {
   const Q26_6 width = Q26_6::from_int(kWidth);
   bool is_whole = true;
   TextLine line;
-  for (int32_t y = kLine; y <= kHeight && next_line(options, text, width, line);
+  for (int32_t y = kLine;
+       y <= kHeight && next_line(options, painter, text, width, line);
        y += kLine) {
     Span<const PositionedGlyph> glyphs;
-    INKCELL_TRY(lay_out(options, text, line, width, room, glyphs));
+    INKCELL_TRY(lay_out(options, painter, text, line, width, room, glyphs));
     painter.glyphs(font, style, {Q26_6::from_int(0), Q26_6::from_int(y)},
                    glyphs);
     is_whole = has_all(font, {text.data + line.begin, line.length}) && is_whole;

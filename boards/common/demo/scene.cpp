@@ -69,8 +69,9 @@ Status Scene::lay_out(const Font& font,
                       const Style& style,
                       Text text,
                       Line& line) noexcept {
-  INKCELL_TRY(inkcell::lay_out(font, text, style, line.glyphs, line.used));
-  line.width_q6 = to_px(font, style, measure(font, text, style).advance).raw;
+  const Painter painter;
+  INKCELL_TRY(painter.lay_out(font, style, text, line.glyphs, line.used));
+  line.width_q6 = painter.measure(font, style, text).advance.raw;
   return Status::ok;
 }
 

@@ -20,6 +20,7 @@ namespace demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
+using Plain = detail::Paint<kFormat>::Canvas;  // of no strip
 constexpr int32_t kFirst = 215;
 constexpr Style kStyle = Style(kHeight >= 200  ? 48_px
                                : kHeight >= 64 ? 24_px
@@ -80,8 +81,8 @@ port::StripLoop make_loop() noexcept {
 // Sends what changes, and nothing else.
 Status show_number(const port::StripLoop& loop, int32_t tenths) noexcept {
   const NumberText number(tenths, 1);
-  INKCELL_TRY(run_strips(loop, values.on_colour.set(number)));
-  return run_strips(loop, values.on_picture.set(number));
+  INKCELL_TRY(run_strips(loop, values.on_colour.set(number, Plain())));
+  return run_strips(loop, values.on_picture.set(number, Plain()));
 }
 
 }  // namespace
@@ -89,8 +90,8 @@ Status show_number(const port::StripLoop& loop, int32_t tenths) noexcept {
 Status open_motion() noexcept {
   INKCELL_TRY(Font::open(fonts::motion, font));
   const NumberText number(kFirst, 1);
-  values.on_colour.set(number);
-  values.on_picture.set(number);
+  values.on_colour.set(number, Plain());
+  values.on_picture.set(number, Plain());
   return run_strips(make_loop());
 }
 

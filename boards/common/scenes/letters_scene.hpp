@@ -21,7 +21,7 @@ class LettersScene : public TextScene {
   explicit LettersScene(const SceneSetting& setting) noexcept
       : TextScene(
             setting, setting.text, kLetters == Letters::pulse ? 190 : 210, 90),
-        renderer_(font(), style().size(), kFilterMotion, workspace()),
+        renderer_(font(), style().size()),
         letters_(renderer_, font(), run_, where_, motion_) {}
 
   /// bad_argument: no ink. buffer_small: over 24 letters.
@@ -70,7 +70,7 @@ class LettersScene : public TextScene {
 
   void draw(const Paper& paper) noexcept {
     paper.fill(paper_rgb());
-    letters_.draw(paper.with(ink_rgb()));
+    letters_.draw(painter(paper, ink_rgb()));
   }
 
  protected:

@@ -53,7 +53,8 @@ PathScene::PathScene(const SceneSetting& setting) noexcept
       text_(setting.text),
       width_(setting.width),
       height_(setting.height),
-      renderer_(font_, kMinSize, kFilterMotion, setting.workspace),
+      renderer_(font_, kMinSize),
+      workspace_(setting.workspace),
       path_(points_) {
   on_path_.overflow = PathOverflow::extend;
 }
@@ -165,7 +166,7 @@ void PathScene::draw(const Paper& paper) noexcept {
     const int32_t part = last <= 0 ? 0 : static_cast<int32_t>(i) * 512 / last;
     const uint32_t ink = part < 256 ? mix_rgb(kFirstInk, kMiddleInk, part)
                                     : mix_rgb(kMiddleInk, kLastInk, part - 256);
-    renderer_.draw({posed_ + i, 1}, paper.with(ink));
+    renderer_.draw({posed_ + i, 1}, {paper.with(ink), workspace_});
   }
 }
 

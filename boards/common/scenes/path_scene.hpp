@@ -49,6 +49,7 @@ class PathScene {
   int32_t height_;
   kinetic::PathPlace on_path_;
   kinetic::PoseRenderer renderer_;
+  Workspace workspace_;
   kinetic::RunGlyph glyphs_[kMaxGlyphs];
   kinetic::Run run_;
   kinetic::PathPoint points_[2 * kPieces + 1];

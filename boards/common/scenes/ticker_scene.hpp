@@ -22,7 +22,7 @@ class TickerScene : public TextScene {
     window_ = screen();
     window_.y0 = window_.y1 / 2 - px(160);
     window_.y1 -= window_.y0;
-    const Status made = ScrollingLabel::make(LayoutOptions(font(), style()),
+    const Status made = ScrollingLabel::make(LayoutOptions(font(), style()), {},
                                              text(), window_, glyphs_, label_);
     return made == Status::ok && label_.width().raw == 0 ? Status::bad_argument
                                                          : made;
@@ -42,7 +42,7 @@ class TickerScene : public TextScene {
     const int64_t whole = label_.width().raw + gap.raw;
     label_.draw_endless(Q26_6::from_raw(static_cast<int32_t>(
                             whole * (frame() % kLoopFrames) / kLoopFrames)),
-                        gap, make_sink(soft), workspace());
+                        gap, {make_sink(soft), workspace()});
   }
 
  private:

@@ -38,7 +38,7 @@ class TypewriterScene : public TextScene {
                              ? end * (kErasedMs - now) / (kErasedMs - kRestMs)
                          : now < kTypedMs ? 0
                                           : now - kTypedMs;
-    next(frame, line_.at(time));
+    next(frame, line_.at(time, {}));
   }
 
   void draw(const Paper& paper) const noexcept {

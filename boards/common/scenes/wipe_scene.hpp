@@ -26,7 +26,8 @@ class WipeScene : public TextScene {
   void set_frame(uint32_t frame) noexcept {
     const int32_t now = time_of(frame % (2 * kHalf));
     half_ = frame / kHalf % 2;
-    next(frame, bounding_box(hides_[half_].at(now), shows_[half_].at(now)));
+    next(frame,
+         bounding_box(hides_[half_].at(now, {}), shows_[half_].at(now, {})));
   }
 
   void draw(const Paper& paper) const noexcept {

@@ -1,6 +1,7 @@
 #include "field_rows.hpp"
 
 #include "base/math.hpp"
+#include "place/style_parts.hpp"
 #include "row_painter.hpp"
 #include "rows/crossings.hpp"
 
@@ -128,7 +129,7 @@ bool FieldRows::open(const GlyphField& field,
   x_q10_ = int64_t{placed.x_q10} * columns;
   y_q10_ = int64_t{placed.y_q10} * rows;
   const int32_t least_q6 =
-      style.size().raw * (style.least_gain_q15() >> 5) >> 10;
+      style.size().raw * (StyleParts::least_gain_q15(style) >> 5) >> 10;
   const int32_t shown_u = (shown_q8 << 8) / max(least_q6, 1) + 1;
   const InkBox& ink = field.ink;
   limits_ = intersect({field.x0_u, field.y0_u, field.x1_u(), field.y1_u()},

@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "base/root.hpp"
+#include "place/style_parts.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -85,7 +86,8 @@ int32_t gain_q15(const Style& style, const Gradient& gradient) noexcept {
     return 1 << 15;
   }
   const uint32_t gain = ((own << 15) / shown) >> log2;
-  return max(min(static_cast<int32_t>(gain), 1 << 15), style.least_gain_q15());
+  return max(min(static_cast<int32_t>(gain), 1 << 15),
+             detail::StyleParts::least_gain_q15(style));
 }
 
 int32_t screen_distance_q10(const Style& style,

@@ -1,6 +1,7 @@
 #include "field_source.hpp"
 
 #include "base/math.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
 #include "rows/draw_bands.hpp"
@@ -52,6 +53,11 @@ constexpr Source kSingleFieldSource = {prepare_single, fill_band,
                                        sizeof(FieldJob), true};
 
 }  // namespace
+// Brings the object of what draws fields on canvases of few levels. Nobody
+// reads it, so that the linker drops it.
+extern const LevelRule* const kFieldRules[];
+const LevelRule* const kFieldRules[] = {&kTwoLevelRule, &kFourLevelRule};
+
 }  // namespace detail
 
 const Coding kFieldCoding = {static_cast<uint8_t>(format::Coding::field),

@@ -8,6 +8,7 @@
 #include "base/root.hpp"
 #include "cell_values.hpp"
 #include "field_rows.hpp"
+#include "place/style_parts.hpp"
 #include "tree.hpp"
 
 namespace inkcell {
@@ -177,7 +178,7 @@ struct FieldRow {
                                                uint8_t* end) noexcept {
     const GlyphStep& right = rows.right();
     const bool is_stretched = rows.style().is_stretched();
-    const int32_t least_gain = rows.style().least_gain_q15();
+    const int32_t least_gain = StyleParts::least_gain_q15(rows.style());
     constexpr int32_t kFar = kFullArea << kBandFraction;
     FieldLeaf leaf = {nullptr, 0, false};
     uint32_t leaf_x = ~x_q16;  // no place of the leaf yet

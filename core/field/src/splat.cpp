@@ -13,6 +13,7 @@
 #include "field_source.hpp"
 #include "inkcell/field/cell.hpp"
 #include "outlines/slant.hpp"
+#include "place/style_parts.hpp"
 
 namespace inkcell {
 namespace {
@@ -108,7 +109,7 @@ Place Block::centre_of(const Square& square) const noexcept {
   if (style_.is_upright()) {
     return {origin_.x_q10 + x_q10, origin_.y_q10 - y_q10};
   }
-  const FinePoint at = style_.slant().place(
+  const FinePoint at = detail::StyleParts::slant(style_).place(
       style_, {origin_.x_q10, origin_.y_q10}, x_q10, y_q10);
   return {static_cast<int32_t>(at.x_q10), static_cast<int32_t>(at.y_q10)};
 }

@@ -1,10 +1,9 @@
 // Text on canvases of 1 and 2 bits: fitted to the grid of pixels, and without
 // strokes or dots that fall between pixels.
 //
-// These canvases do so by themselves: Painter and TextBox::draw() fit text
-// whose style leaves that open, as styles do until Style::set_fitter(). What
-// has no canvas, such as lay_out(), ScrollingLabel::make() or measure(), needs
-// a style that is fitted already: the canvas makes one.
+// These canvases do so by themselves: a Painter fits text whose style leaves
+// that open, as styles do until Style::set_fit() or clear_fit(), before it
+// measures and before it draws. A canvas also makes such a style:
 //
 //   constexpr Style kLine = MonoPagesCanvas::style(12_px);
 //
@@ -34,24 +33,28 @@ struct FewLevels : Effect {
 inline constexpr FewLevels kTwoLevels{2};
 inline constexpr FewLevels kFourLevels{4};
 
-// For Sink::adapt.
-const Style& adapt_to_two_levels(const Style& given,
-                                 bool is_laid_out,
-                                 Style& room) noexcept;
-const Style& adapt_to_four_levels(const Style& given,
-                                  bool is_laid_out,
-                                  Style& room) noexcept;
+// For Sink::levels. Canvases name a rule by a weak reference, and codings whose
+// glyphs it changes bring its object: see band_kind.cpp.
+struct LevelRule {
+  // Makes `room` the style that text is drawn with, and returns it; the given
+  // one if that says it all.
+  const Style& (*adapt)(const Style& given, bool can_fit, Style& room) noexcept;
+  // Its fitter, without a style.
+  const Fitter* (*fitter)(const Style& given, bool can_fit) noexcept;
+};
+extern const LevelRule kTwoLevelRule;
+extern const LevelRule kFourLevelRule;
 }  // namespace detail
 
 /// What text of a size is drawn with on canvases of 1 bit, and of 2.
 constexpr Style two_level_style(Q26_6 size) noexcept {
   return Style(size)
-      .set_fitter(&kFitTwoLevels, nullptr)
+      .set_fit(kFitTwoLevels, nullptr)
       .set_effect(detail::kTwoLevels);
 }
 constexpr Style four_level_style(Q26_6 size) noexcept {
   return Style(size)
-      .set_fitter(&kFitFourLevels, nullptr)
+      .set_fit(kFitFourLevels, nullptr)
       .set_effect(detail::kFourLevels);
 }
 

@@ -45,7 +45,7 @@ struct FitOptions {
   uint16_t strength_q8 = kAll;
 };
 
-/// For Style::set_fitter; the options are a const Fit*.
+/// For Style::set_fit(); the options are a const Fit*.
 extern const Fitter kGridFit;
 
 /// The same for heights alone, in two thirds of the code: FitOptions::across
@@ -113,7 +113,7 @@ class Fit {
   };
 
   static Style style_of(const Fit& fit) noexcept {
-    return Style().set_fitter(&kGridFit, &fit);
+    return Style().set_fit(kGridFit, &fit);
   }
   static GlyphMetrics metrics_of(const Font& font, uint16_t glyph) noexcept {
     GlyphMetrics metrics;
@@ -149,7 +149,7 @@ class Fit {
 };
 
 constexpr Style& Style::set_fit(const Fit& fit) noexcept {
-  return set_fitter(&kGridFit, &fit);
+  return set_fit(kGridFit, &fit);
 }
 
 }  // namespace inkcell

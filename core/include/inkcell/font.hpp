@@ -177,7 +177,7 @@ class Font {
     if (glyph < glyph_count_) {
       return this;
     }
-    return is_paged_ != 0 ? pages().page_of(pages(), glyph) : nullptr;
+    return pages_ != nullptr ? pages_->page_of(*pages_, glyph) : nullptr;
   }
 
   /// The font's name, UTF-8, not terminated; empty if it has none.
@@ -202,12 +202,6 @@ class Font {
   uint32_t find_run(uint32_t code_point) const noexcept;
   uint32_t find_on_page(uint32_t code_point) const noexcept;
   bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
-  // A pointer to FontPages lies in place of a look-up of its own.
-  const detail::FontPages& pages() const noexcept {
-    const void* const pages = cmap_table().data;
-    return *static_cast<const detail::FontPages*>(pages);
-  }
-
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
     return tables_[1];
@@ -222,12 +216,11 @@ class Font {
   Span<const uint8_t> rom_;
   Span<const uint8_t> tables_[kTables];
   const detail::Source* source_ = nullptr;
+  const detail::FontPages* pages_ = nullptr;  // of a stored font
   detail::OutlineCoding coding_;
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
   uint16_t metrics_row_bits_ = 0;
-  // See pages(); no bytes of a font can say so. As wide as its place.
-  uint16_t is_paged_ = 0;
   // Last: the smallest cores reach fewer places of numbers of 16 bits.
   Span<const uint8_t> code_pages_;
 };

@@ -11,12 +11,14 @@
 
 #include <stdint.h>
 
+#include "inkcell/few_levels.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/text_report.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -50,33 +52,59 @@ extern const GlyphDrawer kDrawPlain;
 extern const Sink kNoSink;
 }  // namespace detail
 
-/// Draws into a sink, with RAM that is lent and glyphs that a cache keeps, if
-/// there are any: the picture is the same for any RAM. Holds pointers, and is
-/// as cheap to make as to keep. The sink, the RAM and the cache must outlive
-/// it. For one task at a time.
+/// The one door of text: a sink, RAM that is lent, a cache of glyphs and what
+/// to do with missing characters, if there are any; the picture is the same for
+/// any RAM. Whatever measures or draws text takes a painter. Holds pointers,
+/// and is as cheap to make as to keep. What it points to must outlive it. For
+/// one task at a time.
 ///
-/// On canvases of 1 and 2 bits text() and box() of a text fit it to the grid of
-/// pixels if its style leaves that open (few_levels.hpp); what is laid out
-/// keeps its advances.
+/// On canvases of 1 and 2 bits it fits text to the grid of pixels if the style
+/// leaves that open (few_levels.hpp), in each call: what it measures and lays
+/// out is what it draws.
 ///
-/// Drawing cannot fail: it clips, and glyphs that the font lacks are left out.
-/// A style that Font::check() refuses draws nothing; where INKCELL_ASSERT is
-/// compiled, it ends the program.
+/// Drawing cannot fail: it clips. A character that the font lacks is drawn as
+/// .notdef, a box, unless a report says otherwise; ids beyond the font's last
+/// glyph are left out. A style that Font::check() refuses draws nothing; where
+/// INKCELL_ASSERT is compiled, it ends the program.
 class Painter {
  public:
-  /// Draws nothing: for boxes.
+  /// Draws nothing: for boxes and measures where no canvas has 1 or 2 bits.
   Painter() noexcept : Painter(detail::kNoSink) {}
 
-  /// `cache` is a GlyphCache (inkcell/cache/glyph_cache.hpp) or null.
+  /// `cache` is a GlyphCache (inkcell/cache/glyph_cache.hpp) or null; `report`
+  /// says what to do with missing characters and tells how text went
+  /// (text_report.hpp), or is null.
   Painter(const Sink& sink,
           Workspace ram = {},
-          const detail::GlyphDrawer* cache = nullptr) noexcept
+          const detail::GlyphDrawer* cache = nullptr,
+          TextReport* report = nullptr) noexcept
       : sink_(&sink),
         ram_(ram),
-        drawer_(cache == nullptr ? &detail::kDrawPlain : cache) {}
+        drawer_(cache == nullptr ? &detail::kDrawPlain : cache),
+        report_(report) {}
 
-  /// Lays out and draws one line, with the advances of the style. For a screen
-  /// drawn in many strips, `lay_out` once and `glyphs` for each is faster.
+  /// The same for another sink, such as one of a smaller window.
+  Painter with(const Sink& sink) const noexcept {
+    Painter copy = *this;
+    copy.sink_ = &sink;
+    return copy;
+  }
+  /// The same with another cache.
+  Painter with(const detail::GlyphDrawer& cache) const noexcept {
+    Painter copy = *this;
+    copy.drawer_ = &cache;
+    return copy;
+  }
+  /// The same for type that moves: glyphs stay as designed, on any canvas,
+  /// unless their style says otherwise.
+  Painter for_motion() const noexcept {
+    Painter copy = *this;
+    copy.can_fit_ = false;
+    return copy;
+  }
+
+  /// Lays out and draws one line. For a screen drawn in many strips, lay_out()
+  /// once and glyphs() for each is faster.
   void text(const Font& font,
             const Style& style,
             Point origin,
@@ -141,27 +169,60 @@ class Painter {
                  Point origin,
                  uint16_t glyph) const noexcept;
 
-  /// Width and ink of a line in px, with the advances that text() takes.
+  /// Width and ink of a line in px, with the advances that text() takes. The
+  /// ink is that of glyphs as designed: fitting moves it by a pixel or so.
   PixelMeasure measure(const Font& font,
                        const Style& style,
                        Text text) const noexcept;
+  PixelMeasure measure(const Font& font,
+                       const Style& style,
+                       const ShapedRun& run) const noexcept;
+
+  /// Positions of all glyphs of a line, for glyphs() with the same style. Where
+  /// text is fitted, letters stand on whole pixels, in font units to the
+  /// nearest. `out` holds at most text.size glyphs, which always suffice;
+  /// `glyphs` is the part of it that was filled.
+  ///
+  /// buffer_small: `out` was too short; bad_argument: the text is longer than
+  /// kMaxLineBytes. `glyphs` is then untouched.
+  Status lay_out(const Font& font,
+                 const Style& style,
+                 Text text,
+                 Span<PositionedGlyph> out,
+                 Span<const PositionedGlyph>& glyphs) const noexcept;
+  /// The same of a shaped run, of run.glyphs.size glyphs. Where text is fitted,
+  /// gaps are rounded to the nearest pixel, kerning towards 0. A glyph that
+  /// begins before the middle of the advance of the letter to its left is a
+  /// mark and keeps its place on the letter, to the nearest pixel.
+  Status lay_out(const Font& font,
+                 const Style& style,
+                 const ShapedRun& run,
+                 Span<PositionedGlyph> out,
+                 Span<const PositionedGlyph>& glyphs) const noexcept;
 
   const Sink& sink() const noexcept { return *sink_; }
   const Workspace& ram() const noexcept { return ram_; }
   const detail::GlyphDrawer& drawer() const noexcept { return *drawer_; }
+  TextReport* report() const noexcept { return report_; }
 
-  /// What a style is drawn with here: Sink::adapt.
-  const Style& adapted(const Style& style,
-                       bool is_laid_out,
-                       Style& room) const noexcept {
-    return sink_->adapt == nullptr ? style
-                                   : sink_->adapt(style, is_laid_out, room);
+  /// What a style is drawn with here, made in `room` where it differs.
+  const Style& adapted(const Style& style, Style& room) const noexcept {
+    return sink_->levels == nullptr
+               ? style
+               : sink_->levels->adapt(style, can_fit_, room);
+  }
+  /// Its fitter alone.
+  const Fitter* fitter_of(const Style& style) const noexcept {
+    return sink_->levels == nullptr ? style.fitter()
+                                    : sink_->levels->fitter(style, can_fit_);
   }
 
  private:
   const Sink* sink_;
   Workspace ram_;
   const detail::GlyphDrawer* drawer_;
+  TextReport* report_;
+  bool can_fit_ = true;
 };
 
 }  // namespace inkcell

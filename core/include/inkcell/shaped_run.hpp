@@ -30,33 +30,16 @@ struct ShapedRun {
   int32_t advance = 0;  // [font units]; to_px() gives px
 };
 
-/// Positions of all glyphs of a run, for functions that take PositionedGlyph:
-/// of runs in several fonts, of a cache. Offsets are 0, as is the face.
-/// Positions are clamped to +-2^24 font units.
+/// Positions of all glyphs of a run as designed, for Painter::glyphs() and
+/// others. Offsets are 0, as is the face. Positions are clamped to +-2^24 font
+/// units.
 ///
 /// buffer_small: `out` has less than run.glyphs.size; `glyphs` is untouched.
 Status lay_out(const ShapedRun& run,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept;
 
-/// The same with the advances that glyphs have when the style draws them. If
-/// those are whole pixels, so are the places of glyphs, in font units to the
-/// nearest: gaps are rounded to the nearest, kerning towards 0. A glyph that
-/// begins before the middle of the advance of the letter to its left is a mark
-/// and keeps its place on the letter, to the nearest pixel.
-Status lay_out(const Font& font,
-               const ShapedRun& run,
-               const Style& style,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept;
-
-/// Width and ink of a run in font units, y up, from its origin.
+/// Width and ink of a run as designed in font units, y up, from its origin.
 TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;
-
-/// The same with the advances of a style. The ink is that of glyphs as they are
-/// designed.
-TextMeasure measure(const Font& font,
-                    const ShapedRun& run,
-                    const Style& style) noexcept;
 
 }  // namespace inkcell

@@ -12,7 +12,9 @@
 
 namespace inkcell {
 
-class Style;
+namespace detail {
+struct LevelRule;
+}  // namespace detail
 
 /// The byte of a 16-bit pixel at the lower address.
 enum class ByteOrder : uint8_t { low_first, high_first };
@@ -85,12 +87,9 @@ struct Sink {
   /// multiple of 4. False, and nothing is drawn: the block comes as coverage.
   /// Null: never called.
   bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
-  /// In sinks of few levels (few_levels.hpp): makes `room` the style that text
-  /// is drawn with here, of a given one, and returns it. `is_laid_out`:
-  /// advances must stay as they are. Null: text is drawn as its style says.
-  const Style& (*adapt)(const Style& given,
-                        bool is_laid_out,
-                        Style& room) noexcept = nullptr;
+  /// Of canvases of 1 and 2 bits: Painter calls it. Null: text is drawn as its
+  /// style says.
+  const detail::LevelRule* levels = nullptr;
 };
 
 }  // namespace inkcell

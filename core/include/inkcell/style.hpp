@@ -3,7 +3,6 @@
 
 #include <stdint.h>
 
-#include "inkcell/assert.hpp"
 #include "inkcell/effect.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
@@ -18,10 +17,21 @@ class Style;
 struct FinePoint;
 struct GlyphMetrics;
 struct GlyphWarp;
-struct Sink;
+
+namespace detail {
+struct OutlineFitter;
+struct Slant;
+struct StyleParts;
+
+// Grid fitting of outlines.
+extern const OutlineFitter kOutlineFitter;
+
+// What glyphs need that are not upright.
+extern const Slant kSlant;
+}  // namespace detail
 
 /// Grid fitting (fit.hpp has some). Styles are those that name it, with what
-/// Style::set_fitter was given as their fitter_options().
+/// Style::set_fit() was given as their fit_options().
 struct Fitter {
   /// Fills in `warp` for a glyph of outlines and of an upright style whose
   /// origin is at `origin`, and may move the origin.
@@ -37,18 +47,9 @@ struct Fitter {
   int32_t (*advance_px)(const Font& font,
                         const Style& style,
                         uint16_t glyph) noexcept;
+  /// What moves the points of outlines, linked with the fitter.
+  const detail::OutlineFitter* outlines = &detail::kOutlineFitter;
 };
-
-namespace detail {
-struct OutlineFitter;
-struct Slant;
-
-// Grid fitting of outlines.
-extern const OutlineFitter kOutlineFitter;
-
-// What glyphs need that are not upright.
-extern const Slant kSlant;
-}  // namespace detail
 
 /// Smallest and largest size: 4 and 1024 px to the em.
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
@@ -119,28 +120,30 @@ class Style {
   Style(const Matrix&, const Filter&&) = delete;
 
   /// Fits glyphs of outlines to the grid of pixels, if the style is upright;
-  /// other styles ignore it. Fitter and options must outlive the style. Null:
-  /// glyphs stay as designed. Before the first call the canvas decides: those
-  /// of 1 and 2 bits fit text (few_levels.hpp). fit.hpp has set_fit().
-  constexpr Style& set_fitter(const Fitter* fitter,
-                              const void* options) noexcept {
+  /// other styles ignore it. Fitter and options must outlive the style. Before
+  /// a call of set_fit() or clear_fit() the canvas decides: those of 1 and 2
+  /// bits fit text (few_levels.hpp).
+  constexpr Style& set_fit(const Fitter& fitter, const void* options) noexcept {
     is_fit_open_ = false;
     if (is_upright()) {
-      fitter_ = fitter;
-      outline_fitter_ = &detail::kOutlineFitter;
+      fitter_ = &fitter;
     }
-    fitter_options_ = options;
+    fit_options_ = options;
     return *this;
   }
   /// The same with kGridFit: defined in fit.hpp.
   constexpr Style& set_fit(const Fit& fit) noexcept;
   Style& set_fit(const Fit&&) = delete;
+  /// Glyphs stay as designed, on any canvas.
+  constexpr Style& clear_fit() noexcept {
+    is_fit_open_ = false;
+    fitter_ = nullptr;
+    return *this;
+  }
 
   bool is_fitted() const noexcept { return fitter() != nullptr; }
-  /// Whether the canvas decides.
-  bool is_fit_open() const noexcept { return is_fit_open_; }
   const Fitter* fitter() const noexcept { return fitter_; }
-  const void* fitter_options() const noexcept { return fitter_options_; }
+  const void* fit_options() const noexcept { return fit_options_; }
 
   /// Whether the advances of glyphs are whole pixels, by fitting.
   bool has_whole_advances() const noexcept {
@@ -166,28 +169,9 @@ class Style {
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
-  /// What it takes of a band. Null, also if all its bytes are 0: nothing
-  /// is drawn.
-  const detail::BandKind* band_kind() const noexcept {
-    return filter_ == nullptr ? nullptr : filter_->band_kind;
-  }
   constexpr bool is_upright() const noexcept { return !is_slanted_; }
-
-  /// The functions that fit glyphs of outlines (a fitted style), or slant them
-  /// (a style that is not upright). set_fitter() and constructors link them.
-  const detail::OutlineFitter& outline_fitter() const noexcept {
-    INKCELL_ASSERT(is_fitted());
-    return *outline_fitter_;
-  }
-  const detail::Slant& slant() const noexcept {
-    INKCELL_ASSERT(!is_upright());
-    return *slant_;
-  }
-
-  /// Whether edges of different directions are stretched differently, and the
-  /// least stretch over the greatest.
+  /// Whether edges of different directions are stretched differently.
   bool is_stretched() const noexcept { return least_gain_q15_ != 1 << 15; }
-  int32_t least_gain_q15() const noexcept { return least_gain_q15_; }
 
   /// The glyph's axes on the screen, as vectors to the right and up. (x_right,
   /// x_up) is the direction of the baseline. Both have unit length unless the
@@ -224,6 +208,8 @@ class Style {
   friend bool is_same(const Style& a, const Style& b) noexcept;
 
  private:
+  friend struct detail::StyleParts;
+
   void set_slanted() noexcept {
     is_slanted_ = true;
     slant_ = &detail::kSlant;
@@ -238,12 +224,9 @@ class Style {
   GlyphStep up_ = {0, 0, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_;
-  const Fitter* fitter_ = nullptr;  // only of upright text
-  union {  // only upright text is fitted
-    const detail::OutlineFitter* outline_fitter_ = nullptr;
-    const detail::Slant* slant_;
-  };
-  const void* fitter_options_ = nullptr;
+  const Fitter* fitter_ = nullptr;        // only of upright text
+  const detail::Slant* slant_ = nullptr;  // only of other text
+  const void* fit_options_ = nullptr;
   const Effect* effect_ = nullptr;
 };
 

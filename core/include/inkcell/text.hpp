@@ -1,10 +1,11 @@
 // Lines of text: UTF-8 to positioned glyphs, which painter.hpp draws.
 //
-// Layout knows no size: positions are in font units, unrounded, so that one
-// layout serves every size, strip and frame. Only text that is fitted across
-// (FitOptions::across) has advances that depend on the size: lay it out and
-// measure it with its style. One line at a time, left to right; layout.hpp has
-// lines that break, and mixed directions.
+// Layout as designed knows no size: positions are in font units, unrounded, so
+// that one layout serves every size, strip and frame. Text that is fitted
+// across (FitOptions::across, canvases of 1 and 2 bits) has advances that
+// depend on the size: Painter lays it out and measures it as it draws it. One
+// line at a time, left to right; layout.hpp has lines that break, and mixed
+// directions.
 #pragma once
 
 #include <stddef.h>
@@ -14,6 +15,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/style.hpp"
+#include "inkcell/text_report.hpp"
 
 namespace inkcell {
 
@@ -75,18 +77,23 @@ class TextCursor {
 
   /// With the advances that glyphs have when the style draws them. If those are
   /// whole pixels, so is the kerning, rounded towards 0; positions are whole
-  /// pixels in font units, to the nearest.
-  TextCursor(const Font& font, Text text, const Style& style) noexcept;
+  /// pixels in font units, to the nearest. A report says what to do with
+  /// missing characters, and must outlive it.
+  TextCursor(const Font& font,
+             Text text,
+             const Style& style,
+             TextReport* report = nullptr) noexcept;
 
-  /// The next glyph, kerned against the one before; false at the end. A code
-  /// point that the font lacks gives .notdef, unless it shows nothing: tabs and
-  /// other spaces are then as wide as the font's space, and have no width if it
-  /// has none; combining marks take no room; controls, line ends, soft hyphens,
-  /// zero width characters and variation selectors never give a glyph.
+  /// The next glyph, kerned against the one before; false at the end, where
+  /// `out` has no values. A code point that the font lacks gives .notdef, or
+  /// what the report says, unless it shows nothing: tabs and other spaces are
+  /// then as wide as the font's space, and have no width if it has none;
+  /// combining marks take no room; controls, line ends, soft hyphens, zero
+  /// width characters and variation selectors never give a glyph.
   bool next(PositionedGlyph& out) noexcept;
 
   /// Whether advances are whole pixels, by fitting.
-  bool is_in_whole_px() const noexcept { return style_ != nullptr; }
+  bool is_in_whole_px() const noexcept { return fitter_ != nullptr; }
 
   /// Where the next glyph would stand without kerning. [font units, at most
   /// 2^24 in magnitude]
@@ -96,28 +103,24 @@ class TextCursor {
   const Font& font_;
   Text text_;
   size_t size_;
-  const Style* style_ = nullptr;  // null: advances are the font's
-  int32_t advance_ = 0;           // [px with a style, or font units]
-  int32_t previous_ = -1;         // glyph id, or -1 at the start of the line
+  const Style* style_ = nullptr;
+  const Fitter* fitter_ = nullptr;  // null: advances are the font's
+  TextReport* report_ = nullptr;
+  int32_t advance_ = 0;    // [px with a style, or font units]
+  int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
 };
 
 /// What of a line stands at its origin.
 enum class Anchor : uint8_t { left, centre, right };
 
-/// Positions of all glyphs of one line. `out` holds at most text.size glyphs,
-/// which always suffice; `glyphs` is the part of it that was filled.
+/// Positions of all glyphs of one line, as designed. `out` holds at most
+/// text.size glyphs, which always suffice; `glyphs` is the part of it that was
+/// filled.
 ///
 /// buffer_small: `out` was too short; bad_argument: the text is longer than
 /// kMaxLineBytes. `glyphs` is then untouched.
 Status lay_out(const Font& font,
                Text text,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept;
-
-/// The same with the advances of a style.
-Status lay_out(const Font& font,
-               Text text,
-               const Style& style,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept;
 
@@ -132,9 +135,14 @@ struct TextMeasure {
 
 TextMeasure measure(const Font& font, Text text) noexcept;
 
-/// The same with the advances of a style. The ink is that of glyphs as they are
-/// designed: fitting moves it by a pixel or so.
-TextMeasure measure(const Font& font, Text text, const Style& style) noexcept;
+namespace detail {
+// The same of what is left of a line; `bytes`: of the text.
+Status lay_out(TextCursor cursor,
+               size_t bytes,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept;
+TextMeasure measure(const Font& font, TextCursor cursor) noexcept;
+}  // namespace detail
 
 /// A length in font units at a style's size, rounded to the nearest 1/64 px and
 /// clamped to the range of Q26_6.

@@ -3,7 +3,7 @@
 //
 //   ValueLabel value(font, style, {16, 150});
 //   for (;;) {
-//     const Rect changed = value.set(NumberText(read_tenths(), 1));
+//     const Rect changed = value.set(NumberText(read_tenths(), 1), {});
 //     INKCELL_TRY(port::run_strips(loop, changed));
 //   }
 //
@@ -38,9 +38,10 @@ class ValueLabel {
   /// Copies a text; one over kMostBytes is cut after a whole character. Returns
   /// the pixels of the old and of the new text, with filter, fitting and
   /// effect: those to draw and to send. Empty if the text is the same.
-  /// `painter` is the one that draws, if it has a cache, whose glyphs may be
-  /// drawn up to a pixel off, or a canvas of 1 or 2 bits, which may fit text.
-  Rect set(Text text, const Painter& painter = {}) noexcept;
+  /// `painter` is like the one that draws: one of a canvas of 1 or 2 bits fits
+  /// text, one with a cache may draw glyphs up to a pixel off; where neither
+  /// is, Painter() will do. Of a sink the window does not matter.
+  Rect set(Text text, const Painter& painter) noexcept;
 
   /// Draws the text. The background is the caller's.
   void draw(const Painter& painter) const noexcept;
@@ -50,7 +51,7 @@ class ValueLabel {
   const Rect& box() const noexcept { return box_; }
 
  private:
-  Point place() const noexcept;
+  Point place(const Painter& painter) const noexcept;
 
   const Font* font_;
   const Style* style_;

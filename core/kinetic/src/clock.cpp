@@ -109,7 +109,7 @@ void Clock::draw_digit(const Painter& painter,
     Sink sink = painter.sink();
     sink.window = intersect(sink.window, cell(digit));
     if (!is_empty(sink.window)) {
-      morph.draw(Painter(sink, painter.ram()), style,
+      morph.draw(painter.with(sink), style,
                  {Q26_6::from_raw(left_of(digit).raw +
                                   (cells_.width.raw - advance_q6) / 2),
                   origin_.y},
@@ -132,10 +132,10 @@ void Clock::draw_colon(const Painter& painter) const noexcept {
   const PixelMeasure px = to_px(font, *face_.style, measure);
   const int32_t lift =
       ((cells_.top + cells_.bottom) * 64 - px.top.raw - px.bottom.raw) / 2;
-  painter.glyph(font, *face_.style,
-                {Q26_6::from_raw(left_of(2).raw - colon_.raw),
-                 Q26_6::from_raw(origin_.y.raw + lift)},
-                colon);
+  painter.for_motion().glyph(font, *face_.style,
+                             {Q26_6::from_raw(left_of(2).raw - colon_.raw),
+                              Q26_6::from_raw(origin_.y.raw + lift)},
+                             colon);
 }
 
 void Clock::draw(const Painter& painter) const noexcept {

@@ -58,7 +58,7 @@ void draw_roll(const Painter& painter,
   if (is_empty(sink.window)) {
     return;
   }
-  const Painter rolls(sink, painter.ram(), &painter.drawer());
+  const Painter rolls = painter.with(sink).for_motion();
   // Up by a part of the pitch.
   at.y.raw -= lerp(0, pitch * 64, part);
   for (const uint16_t digit : digits) {

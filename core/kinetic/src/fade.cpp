@@ -127,7 +127,7 @@ Sink make_sink(const SoftWindow& soft) noexcept {
   sink.context = const_cast<SoftWindow*>(&soft);
   sink.coverage = pass_soft;
   sink.solid = pass_soft_solid;
-  sink.adapt = soft.target->adapt;
+  sink.levels = soft.target->levels;
   return sink;
 }
 

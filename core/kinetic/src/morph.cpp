@@ -3,7 +3,6 @@
 
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/run.hpp"
-#include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
 #include "limits.hpp"
 
@@ -14,13 +13,8 @@ GlyphMorph::GlyphMorph(const Font& font,
                        Q26_6 size,
                        const Filter& filter,
                        const MorphBox& box,
-                       Span<int8_t> grids,
-                       Workspace workspace) noexcept
-    : font_(font),
-      size_(size),
-      filter_(filter),
-      box_(box),
-      workspace_(workspace) {
+                       Span<int8_t> grids) noexcept
+    : font_(font), size_(size), filter_(filter), box_(box) {
   const int32_t width = DistanceGrid::samples_of(box.width, box.scale_log2);
   const int32_t height = DistanceGrid::samples_of(box.height, box.scale_log2);
   const size_t part = grids.size / 3;
@@ -40,12 +34,14 @@ Point GlyphMorph::origin_of(uint16_t glyph) const noexcept {
           Q26_6::from_int(box_.baseline)};
 }
 
-Status GlyphMorph::paint(uint16_t glyph, DistanceGrid& grid) noexcept {
+Status GlyphMorph::paint(uint16_t glyph,
+                         Workspace ram,
+                         DistanceGrid& grid) noexcept {
   grid.clear();
-  return grid.paint(font_, glyph, size_, origin_of(glyph), workspace_);
+  return grid.paint(font_, glyph, size_, origin_of(glyph), ram);
 }
 
-Status GlyphMorph::set(uint16_t from, uint16_t to) noexcept {
+Status GlyphMorph::set(uint16_t from, uint16_t to, Workspace ram) noexcept {
   if (grid_a_.width() == 0) {
     return Status::buffer_small;
   }
@@ -61,12 +57,12 @@ Status GlyphMorph::set(uint16_t from, uint16_t to) noexcept {
   }
   if (from != from_) {
     from_ = kNone;
-    INKCELL_TRY(paint(from, grid_a_));
+    INKCELL_TRY(paint(from, ram, grid_a_));
     from_ = from;
   }
   if (to != to_) {
     to_ = kNone;
-    INKCELL_TRY(paint(to, grid_b_));
+    INKCELL_TRY(paint(to, ram, grid_b_));
     to_ = to;
   }
   const int32_t reach_q10 = max(-filter_.outside_q10, 0);
@@ -87,20 +83,22 @@ void GlyphMorph::step(Q16_16 progress, GridHistogram& scratch) noexcept {
                    : blend(grid_a_, grid_b_, blend_, between_, scratch);
 }
 
-void GlyphMorph::draw(int32_t x, int32_t y, const Sink& sink) const noexcept {
-  draw(x, y, filter_, sink);
+void GlyphMorph::draw(int32_t x,
+                      int32_t y,
+                      const Painter& painter) const noexcept {
+  draw(x, y, filter_, painter);
 }
 
 void GlyphMorph::draw(int32_t x,
                       int32_t y,
                       const Filter& filter,
-                      const Sink& sink) const noexcept {
+                      const Painter& painter) const noexcept {
   constexpr int32_t kFar = 32767;  // the range of windows
   if (x > kFar || x < -kFar || y > kFar || y < -kFar) {
     return;
   }
-  Sink clipped = sink;
-  clipped.window = intersect(sink.window, box(x, y));
+  Sink clipped = painter.sink();
+  clipped.window = intersect(clipped.window, box(x, y));
   if (is_empty(clipped.window)) {
     return;
   }
@@ -120,11 +118,10 @@ void GlyphMorph::draw(int32_t x,
   }
   const Style style(size_, filter);
   const Point at = origin_of(glyph);
-  Painter(clipped, workspace_)
-      .glyph(font_, style,
-             {Q26_6::from_raw(at.x.raw + x * 64),
-              Q26_6::from_raw(at.y.raw + y * 64)},
-             glyph);
+  painter.with(clipped).for_motion().glyph(
+      font_, style,
+      {Q26_6::from_raw(at.x.raw + x * 64), Q26_6::from_raw(at.y.raw + y * 64)},
+      glyph);
 }
 
 }  // namespace kinetic

@@ -34,10 +34,10 @@ Rect MovingLetters::at(int32_t now_ms) noexcept {
   return changed;
 }
 
-void MovingLetters::draw(const Sink& sink) noexcept {
+void MovingLetters::draw(const Painter& painter) noexcept {
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
     const PosedGlyph now = posed(i, now_ms_);
-    renderer_.draw({&now, 1}, sink);
+    renderer_.draw({&now, 1}, painter);
   }
 }
 

@@ -276,7 +276,7 @@ void OutlineMorph::draw(const Painter& painter,
                         Q16_16 progress) const noexcept {
   if (!draw_between(painter, style, origin, progress, nullptr, nullptr) &&
       font_ != nullptr) {
-    painter.glyph(*font_, style, origin, end_at(progress));
+    painter.for_motion().glyph(*font_, style, origin, end_at(progress));
   }
 }
 

@@ -2,7 +2,6 @@
 #include "inkcell/kinetic/pose_renderer.hpp"
 
 #include "inkcell/kinetic/fade.hpp"
-#include "inkcell/painter.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -140,17 +139,18 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
 }
 
 void PoseRenderer::draw(Span<const PosedGlyph> glyphs,
-                        const Sink& sink) noexcept {
+                        const Painter& painter) noexcept {
   for (const PosedGlyph& glyph : glyphs) {
     Map map;
     if (!map_of(glyph, map) ||
-        is_empty(intersect(box_of(glyph, map), sink.window)) ||
+        is_empty(intersect(box_of(glyph, map), painter.sink().window)) ||
         !make_style(glyph, map)) {
       continue;
     }
-    const Fade fade = {&sink, glyph.pose.opacity};
-    Painter(make_sink(fade), workspace_)
-        .glyph(font_, style_, map.origin, glyph.glyph);
+    const Fade fade = {&painter.sink(), glyph.pose.opacity};
+    const Sink sink = make_sink(fade);
+    painter.with(sink).for_motion().glyph(font_, style_, map.origin,
+                                          glyph.glyph);
   }
 }
 

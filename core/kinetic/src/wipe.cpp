@@ -39,8 +39,7 @@ void Wipe::draw(const Painter& painter) const noexcept {
       kind_ == Kind::reveal ? edge_ >= box_.x1 + soft_ : edge_ <= box_.x0;
   const Sink sink = is_whole ? *soft.target : make_sink(soft);
   if (edge_ != INT32_MIN && !is_empty(sink.window)) {
-    Painter(sink, painter.ram(), &painter.drawer())
-        .text(*face_.font, *face_.style, origin_, text_);
+    painter.with(sink).text(*face_.font, *face_.style, origin_, text_);
   }
 }
 

@@ -46,9 +46,10 @@ __attribute__((noinline)) int32_t top_of(const TextBox& box,
 }  // namespace
 
 BoxLines::BoxLines(const TextBox& box,
+                   const Painter& painter,
                    const Text& text,
                    const Span<const TextLine>& given) noexcept
-    : box_(box), text_(text), given_(given) {
+    : box_(box), setting_{box.options, painter}, text_(text), given_(given) {
   if (box.options.bidi() != nullptr) {
     box.options.bidi()->forget();
   }
@@ -63,13 +64,13 @@ bool BoxLines::next() noexcept {
     line_ = given_[count_++];
     return true;
   }
-  if (!detail::find_next_line(box_.options, text_, box_width(box_), line_)) {
+  if (!detail::find_next_line(setting_, text_, box_width(box_), line_)) {
     return false;
   }
   ++count_;
   if (count_ == most_ && !line_.is_last) {
-    detail::fill_line(box_.options, text_, box_width(box_), line_);
-    detail::shorten_line(box_.options, text_, box_width(box_), line_);
+    detail::fill_line(setting_, text_, box_width(box_), line_);
+    detail::shorten_line(setting_, text_, box_width(box_), line_);
   }
   return true;
 }

@@ -27,10 +27,12 @@ inline int32_t line_step(const TextBox& box) noexcept {
 class BoxLines {
  public:
   BoxLines(const TextBox& box,
+           const Painter& painter,
            const Text& text,
            const Span<const TextLine>& given) noexcept;
 
   const TextBox& box() const noexcept { return box_; }
+  const Setting& setting() const noexcept { return setting_; }
   const TextLine& line() const noexcept { return line_; }
   // Whether next() would find none.
   bool is_last() const noexcept { return line_.is_last || count_ == most_; }
@@ -43,10 +45,10 @@ class BoxLines {
 
   // For the line at hand: its directions, and its glyphs from the left.
   void prepare() const noexcept {
-    static_cast<void>(detail::prepare(box_.options, text_, line_));
+    static_cast<void>(detail::prepare(setting_, text_, line_));
   }
   LineCursor cursor() const noexcept {
-    LineCursor cursor(box_.options, text_, line_);
+    LineCursor cursor(setting_, text_, line_);
     cursor.align(box_width(box_));
     return cursor;
   }
@@ -55,6 +57,7 @@ class BoxLines {
   bool is_given() const noexcept { return given_.data != nullptr; }
 
   const TextBox& box_;
+  const Setting setting_;
   const Text& text_;
   const Span<const TextLine>& given_;
   TextLine line_;

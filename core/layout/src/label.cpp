@@ -1,5 +1,4 @@
 #include "inkcell/layout/label.hpp"
-#include "inkcell/painter.hpp"
 
 #include "next_line.hpp"
 #include "pen.hpp"
@@ -24,6 +23,7 @@ int32_t reach_of(const Face& first, const Face& face) noexcept {
 }  // namespace
 
 Status ScrollingLabel::make(const LayoutOptions& options,
+                            const Painter& painter,
                             Text text,
                             const Rect& window,
                             Span<PositionedGlyph> room,
@@ -31,12 +31,13 @@ Status ScrollingLabel::make(const LayoutOptions& options,
   if (text.size > kMaxLineBytes) {
     return Status::bad_argument;
   }
+  const detail::Setting setting = {options, painter};
   TextLine line;
-  static_cast<void>(detail::begin_line(options, text, line));
-  line.base_level = detail::prepare(options, text, line);
-  detail::find_end(options, text, Q26_6::from_raw(INT32_MAX), line);
+  static_cast<void>(detail::begin_line(setting, text, line));
+  line.base_level = detail::prepare(setting, text, line);
+  detail::find_end(setting, text, Q26_6::from_raw(INT32_MAX), line);
   Span<const PositionedGlyph> glyphs;
-  INKCELL_TRY(detail::lay_out_in(options, text, line, nullptr, room, glyphs));
+  INKCELL_TRY(detail::lay_out_in(setting, text, line, nullptr, room, glyphs));
   out.face_ = options.face;
   out.fallback_ = options.fallback;
   out.glyphs_ = glyphs;
@@ -78,24 +79,21 @@ size_t ScrollingLabel::first_from(int32_t x) const noexcept {
   return begin;
 }
 
-void ScrollingLabel::draw(Q26_6 scroll,
-                          const Sink& sink,
-                          Workspace workspace) const noexcept {
+void ScrollingLabel::draw(Q26_6 scroll, const Painter& painter) const noexcept {
   const bool is_still = scroll.raw == 0 && !needs_scrolling();
-  draw_in(is_still ? sink.window : window_, scroll, sink, workspace);
+  draw_in(is_still ? painter.sink().window : window_, scroll, painter);
 }
 
 void ScrollingLabel::draw_in(const Rect& clip,
                              Q26_6 scroll,
-                             const Sink& sink,
-                             Workspace workspace) const noexcept {
+                             const Painter& painter) const noexcept {
   if (face_.font == nullptr) {
     return;
   }
   constexpr int32_t kFar = 1 << 28;
   scroll.raw = detail::clamp_to(scroll.raw, kFar);
-  Sink clipped = sink;
-  clipped.window = intersect(sink.window, clip);
+  Sink clipped = painter.sink();
+  clipped.window = intersect(clipped.window, clip);
   const int32_t left_px = (clipped.window.x0 - window_.x0) * 64 + scroll.raw;
   const int32_t right_px = (clipped.window.x1 - window_.x0) * 64 + scroll.raw;
   if (is_empty(clipped.window)) {
@@ -110,16 +108,15 @@ void ScrollingLabel::draw_in(const Rect& clip,
   };
   const size_t first = first_from(units(left_px - kBeyond) - reach_);
   const size_t end = first_from(units(right_px + kBeyond) + reach_);
-  inkcell::Painter(clipped, workspace)
-      .glyphs(face_, fallback_,
-              {Q26_6::from_raw(window_.x0 * 64 - scroll.raw), baseline_},
-              {glyphs_.data + first, end - first});
+  painter.with(clipped).glyphs(
+      face_, fallback_,
+      {Q26_6::from_raw(window_.x0 * 64 - scroll.raw), baseline_},
+      {glyphs_.data + first, end - first});
 }
 
 void ScrollingLabel::draw_endless(Q26_6 scroll,
                                   Q26_6 gap,
-                                  const Sink& sink,
-                                  Workspace workspace) const noexcept {
+                                  const Painter& painter) const noexcept {
   const int32_t period = width().raw + gap.raw;
   if (period <= 0) {
     return;
@@ -128,7 +125,7 @@ void ScrollingLabel::draw_endless(Q26_6 scroll,
   at = at < 0 ? at + period : at;
   const int32_t room = (window_.x1 - window_.x0) * 64;
   for (; - at < room; at -= period) {
-    draw_in(window_, Q26_6::from_raw(at), sink, workspace);
+    draw_in(window_, Q26_6::from_raw(at), painter);
   }
 }
 

@@ -14,6 +14,7 @@ using detail::LineEnds;
 using detail::LineState;
 using detail::LineWalk;
 using detail::Pen;
+using detail::Setting;
 
 namespace {
 
@@ -28,12 +29,12 @@ bool hangs(uint32_t code_point, LineClass line_class) noexcept {
 // place for its end that was seen so far, its width in units of the pen.
 class LineFinder {
  public:
-  LineFinder(const LayoutOptions& options,
+  LineFinder(const Setting& setting,
              const Text& text,
              int32_t room,
              LineEnds ends,
              TextLine& line) noexcept
-      : walk_(options, text, line),
+      : walk_(setting, text, line),
         line_(line),
         room_(room),
         end_(line.begin),
@@ -45,6 +46,10 @@ class LineFinder {
     while (take()) {
     }
     line_.width = walk_.pen().to_units(line_.width);
+    TextReport* const report = walk_.pen().setting().painter.report();
+    if (walk_.pen().is_at_limit() && report != nullptr) {
+      report->note(Status::cut);
+    }
   }
 
  private:
@@ -141,9 +146,9 @@ class LineFinder {
   LineEnds ends_;
 };
 
-__attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
+__attribute__((noinline)) int32_t room_of(const Setting& setting,
                                           Q26_6 width) noexcept {
-  return Pen(options, Pen::logical).from_px(width);
+  return Pen(setting, Pen::logical).from_px(width);
 }
 
 // Whether a line's end is that of what Bidi takes for a paragraph: a vertical
@@ -172,10 +177,10 @@ struct Cut {
 
 // The ellipsis, and what is left of a width. Functions that are not inline
 // leave their stack to those that follow.
-__attribute__((noinline)) Pen::Sign begin_cut(const LayoutOptions& options,
+__attribute__((noinline)) Pen::Sign begin_cut(const Setting& setting,
                                               Q26_6 width,
                                               Cut& cut) noexcept {
-  const Pen pen(options, Pen::logical);
+  const Pen pen(setting, Pen::logical);
   const Pen::Sign ellipsis = pen.ellipsis();
   cut.room = pen.from_px(width) - ellipsis.width;
   cut.spacing = pen.spacing();
@@ -184,12 +189,12 @@ __attribute__((noinline)) Pen::Sign begin_cut(const LayoutOptions& options,
 
 // How far a line reaches in the room, without spaces at its end. Characters
 // keep their marks.
-__attribute__((noinline)) void cut_front(const LayoutOptions& options,
+__attribute__((noinline)) void cut_front(const Setting& setting,
                                          const Text& text,
                                          const TextLine& line,
                                          int32_t room,
                                          Cut::Front& front) noexcept {
-  LineWalk walk(options, text, line);
+  LineWalk walk(setting, text, line);
   Cell cell;
   front = {line.begin, 0, false};
   Cut::Front whole = front;
@@ -209,11 +214,11 @@ __attribute__((noinline)) void cut_front(const LayoutOptions& options,
 // The line's width in the order of the text, without signs. `back_begin` is
 // then what the back may begin with at the earliest: the front's end, and
 // behind tabs, which would have another width.
-__attribute__((noinline)) int32_t width_of(const LayoutOptions& options,
+__attribute__((noinline)) int32_t width_of(const Setting& setting,
                                            const Text& text,
                                            const TextLine& line,
                                            Cut& cut) noexcept {
-  LineWalk walk(options, text, line);
+  LineWalk walk(setting, text, line);
   Cell cell;
   cut.back_begin = cut.front.end;
   while (walk.next(line.end(), cell)) {
@@ -225,12 +230,12 @@ __attribute__((noinline)) int32_t width_of(const LayoutOptions& options,
 }
 
 // The longest back that leaves room for the front. `width` is the line's.
-__attribute__((noinline)) void cut_back(const LayoutOptions& options,
+__attribute__((noinline)) void cut_back(const Setting& setting,
                                         const Text& text,
                                         const TextLine& line,
                                         int32_t width,
                                         Cut& cut) noexcept {
-  LineWalk walk(options, text, line);
+  LineWalk walk(setting, text, line);
   Cell cell;
   while (walk.next(line.end(), cell)) {
     const int32_t back = width - cell.x + walk.pen().spacing();
@@ -245,21 +250,21 @@ __attribute__((noinline)) void cut_back(const LayoutOptions& options,
 }
 
 // A length of the pen's in font units.
-__attribute__((noinline)) int32_t to_units(const LayoutOptions& options,
+__attribute__((noinline)) int32_t to_units(const Setting& setting,
                                            int32_t length) noexcept {
-  return Pen(options, Pen::logical).to_units(length);
+  return Pen(setting, Pen::logical).to_units(length);
 }
 
 }  // namespace
 
-bool detail::begin_line(const LayoutOptions& options,
+bool detail::begin_line(const Setting& setting,
                         const Text& text,
                         TextLine& line) noexcept {
   if (line.is_found && line.is_last) {
     return false;
   }
-  if (!line.is_found && options.bidi() != nullptr) {
-    options.bidi()->forget();
+  if (!line.is_found && setting.options.bidi() != nullptr) {
+    setting.options.bidi()->forget();
   }
   const uint32_t begin = line.next;
   const uint32_t paragraph =
@@ -273,44 +278,46 @@ bool detail::begin_line(const LayoutOptions& options,
   return true;
 }
 
-void detail::find_end(const LayoutOptions& options,
+void detail::find_end(const Setting& setting,
                       const Text& text,
                       Q26_6 width,
                       TextLine& line,
                       LineEnds ends) noexcept {
-  const int32_t room = options.wraps ? room_of(options, width) : INT32_MAX;
-  LineFinder(options, text, room, ends, line).find();
+  const int32_t room =
+      setting.options.wraps ? room_of(setting, width) : INT32_MAX;
+  LineFinder(setting, text, room, ends, line).find();
 }
 
-bool detail::is_too_wide(const LayoutOptions& options,
+bool detail::is_too_wide(const Setting& setting,
                          Q26_6 width,
                          const TextLine& line) noexcept {
-  const Pen pen(options, Pen::logical);
-  return !options.wraps && options.ellipsis != Ellipsis::none &&
+  const Pen pen(setting, Pen::logical);
+  return !setting.options.wraps && setting.options.ellipsis != Ellipsis::none &&
          pen.from_units(line.width) > pen.from_px(width);
 }
 
 bool next_line(const LayoutOptions& options,
+               const Painter& painter,
                Text text,
                Q26_6 width,
                TextLine& line) noexcept {
-  return detail::find_next_line(options, text, width, line);
+  return detail::find_next_line({options, painter}, text, width, line);
 }
 
-void detail::shorten_line(const LayoutOptions& options,
+void detail::shorten_line(const Setting& setting,
                           const Text& text,
                           Q26_6 width,
                           TextLine& line) noexcept {
   Cut cut;
-  const Pen::Sign ellipsis = begin_cut(options, width, cut);
+  const Pen::Sign ellipsis = begin_cut(setting, width, cut);
   int32_t sign = ellipsis.width;
-  const bool is_middle =
-      options.ellipsis == Ellipsis::middle && !options.wraps && cut.room > 0;
-  cut_front(options, text, line, is_middle ? cut.room / 2 : cut.room,
+  const bool is_middle = setting.options.ellipsis == Ellipsis::middle &&
+                         !setting.options.wraps && cut.room > 0;
+  cut_front(setting, text, line, is_middle ? cut.room / 2 : cut.room,
             cut.front);
   cut.back_begin = line.end();
   if (is_middle) {
-    cut_back(options, text, line, width_of(options, text, line, cut), cut);
+    cut_back(setting, text, line, width_of(setting, text, line, cut), cut);
   }
   line.has_hyphen = false;
   line.has_ellipsis = true;
@@ -322,25 +329,27 @@ void detail::shorten_line(const LayoutOptions& options,
     // no face has a sign, from the back.
     sign -= cut.spacing;
   }
-  line.width = to_units(options, cut.front.width + sign + cut.back_width);
+  line.width = to_units(setting, cut.front.width + sign + cut.back_width);
 }
 
 void shorten(const LayoutOptions& options,
+             const Painter& painter,
              Text text,
              Q26_6 width,
              TextLine& line) noexcept {
-  line.base_level = detail::prepare(options, text, line);
-  detail::fill_line(options, text, width, line);
-  detail::shorten_line(options, text, width, line);
+  const Setting setting = {options, painter};
+  line.base_level = detail::prepare(setting, text, line);
+  detail::fill_line(setting, text, width, line);
+  detail::shorten_line(setting, text, width, line);
 }
 
-Status detail::lay_out_in(const LayoutOptions& options,
+Status detail::lay_out_in(const Setting& setting,
                           const Text& text,
                           const TextLine& line,
                           const Q26_6* width,
                           Span<PositionedGlyph> out,
                           Span<const PositionedGlyph>& glyphs) noexcept {
-  LineCursor cursor(options, text, line);
+  LineCursor cursor(setting, text, line);
   if (width != nullptr) {
     cursor.align(*width);
   }
@@ -360,13 +369,15 @@ Status detail::lay_out_in(const LayoutOptions& options,
 }
 
 Status lay_out(const LayoutOptions& options,
+               const Painter& painter,
                Text text,
                const TextLine& line,
                Q26_6 width,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept {
-  static_cast<void>(detail::prepare(options, text, line));
-  return detail::lay_out_in(options, text, line, &width, out, glyphs);
+  const Setting setting = {options, painter};
+  static_cast<void>(detail::prepare(setting, text, line));
+  return detail::lay_out_in(setting, text, line, &width, out, glyphs);
 }
 
 Q26_6 line_height(const LayoutOptions& options) noexcept {

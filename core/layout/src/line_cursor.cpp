@@ -24,10 +24,10 @@ bool is_mark_at(const Text& text, uint32_t at) noexcept {
 
 }  // namespace
 
-LineCursor::LineCursor(const LayoutOptions& options,
+LineCursor::LineCursor(const Setting& setting,
                        const Text& text,
                        const TextLine& line) noexcept
-    : text_(text), line_(line), pen_(options, Pen::visual) {
+    : text_(text), line_(line), pen_(setting, Pen::visual) {
   right_ = pen_.from_units(line.width);
   pen_.set_base_level(line.base_level);
 }

@@ -13,7 +13,7 @@ class LineCursor {
  public:
   // A line that next_line() found. Its paragraph has been prepared. Text and
   // line must outlive it.
-  LineCursor(const LayoutOptions& options,
+  LineCursor(const Setting& setting,
              const Text& text,
              const TextLine& line) noexcept;
 

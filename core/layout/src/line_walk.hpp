@@ -13,10 +13,10 @@ namespace detail {
 // outlive it.
 class LineWalk {
  public:
-  LineWalk(const LayoutOptions& options,
+  LineWalk(const Setting& setting,
            const Text& text,
            const TextLine& line) noexcept
-      : pen_(options, Pen::logical), text_(text), at_(line.begin) {
+      : pen_(setting, Pen::logical), text_(text), at_(line.begin) {
     pen_.set_base_level(line.base_level);
   }
 

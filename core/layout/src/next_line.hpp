@@ -4,23 +4,24 @@
 
 #include <stdint.h>
 
-#include "inkcell/layout/layout.hpp"
+#include "setting.hpp"
 
 namespace inkcell {
 namespace detail {
 
 // Finds the order of the line's paragraph, which what follows takes for
 // granted. Returns its level.
-inline uint8_t prepare(const LayoutOptions& options,
+inline uint8_t prepare(const Setting& setting,
                        const Text& text,
                        const TextLine& line) noexcept {
-  return options.order() == nullptr
+  const BidiOrder* const order = setting.options.order();
+  return order == nullptr
              ? uint8_t{0}
-             : options.order()->prepare(options, text, line.paragraph);
+             : order->prepare(setting.options, text, line.paragraph);
 }
 
 // Goes to the beginning of the next line. False after the last.
-bool begin_line(const LayoutOptions& options,
+bool begin_line(const Setting& setting,
                 const Text& text,
                 TextLine& line) noexcept;
 
@@ -28,54 +29,54 @@ bool begin_line(const LayoutOptions& options,
 enum class LineEnds : uint8_t { at_breaks, anywhere };
 
 // Finds where it ends, but for an ellipsis.
-void find_end(const LayoutOptions& options,
+void find_end(const Setting& setting,
               const Text& text,
               Q26_6 width,
               TextLine& line,
               LineEnds ends = LineEnds::at_breaks) noexcept;
 
 // Whether a line that does not wrap is to be shortened.
-bool is_too_wide(const LayoutOptions& options,
+bool is_too_wide(const Setting& setting,
                  Q26_6 width,
                  const TextLine& line) noexcept;
 
 // Before shorten_line(): what follows its last whole word fills the line.
-inline void fill_line(const LayoutOptions& options,
+inline void fill_line(const Setting& setting,
                       const Text& text,
                       Q26_6 width,
                       TextLine& line) noexcept {
-  if (options.wraps) {
+  if (setting.options.wraps) {
     line.ends_paragraph = false;
     line.is_last = false;
-    find_end(options, text, width, line, LineEnds::anywhere);
+    find_end(setting, text, width, line, LineEnds::anywhere);
   }
 }
 
 // Ends the line with an ellipsis.
-void shorten_line(const LayoutOptions& options,
+void shorten_line(const Setting& setting,
                   const Text& text,
                   Q26_6 width,
                   TextLine& line) noexcept;
 
 // As lay_out(); without a width the line begins at 0.
-Status lay_out_in(const LayoutOptions& options,
+Status lay_out_in(const Setting& setting,
                   const Text& text,
                   const TextLine& line,
                   const Q26_6* width,
                   Span<PositionedGlyph> out,
                   Span<const PositionedGlyph>& glyphs) noexcept;
 
-inline bool find_next_line(const LayoutOptions& options,
+inline bool find_next_line(const Setting& setting,
                            const Text& text,
                            Q26_6 width,
                            TextLine& line) noexcept {
-  if (!begin_line(options, text, line)) {
+  if (!begin_line(setting, text, line)) {
     return false;
   }
-  line.base_level = prepare(options, text, line);
-  find_end(options, text, width, line);
-  if (is_too_wide(options, width, line)) {
-    shorten_line(options, text, width, line);
+  line.base_level = prepare(setting, text, line);
+  find_end(setting, text, width, line);
+  if (is_too_wide(setting, width, line)) {
+    shorten_line(setting, text, width, line);
   }
   return true;
 }

@@ -4,10 +4,6 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const Style* whole_style(const Face& face) noexcept {
-  return face.style->has_whole_advances() ? face.style : nullptr;
-}
-
 int64_t em_q6_of(const Face& face) noexcept {
   return face.font->units_per_em() * int64_t{64};
 }
@@ -53,11 +49,28 @@ bool is_gap(uint32_t code_point) noexcept {
   }
 }
 
-Pen::Pen(const LayoutOptions& options, Order order) noexcept
-    : options_(options),
-      advances_(*options.face.font, whole_style(options.face)),
+// Arabic, Syriac, N'Ko, Mandaic; Indic; Tibetan, Burmese; Khmer, Mongolian; Tai
+// and Balinese; their later blocks. Digits stand alone.
+bool needs_shaping(uint32_t code_point) noexcept {
+  constexpr uint16_t kRanges[][2] = {
+      {0x0620, 0x065f}, {0x066e, 0x06ef}, {0x06fa, 0x077f}, {0x07ca, 0x07f5},
+      {0x0840, 0x08ff}, {0x0900, 0x0dff}, {0x0f40, 0x109f}, {0x1700, 0x18aa},
+      {0x1900, 0x1c4f}, {0xa800, 0xa95f}, {0xa980, 0xaaff}, {0xabc0, 0xabed}};
+  for (const uint16_t(&range)[2] : kRanges) {
+    if (code_point <= range[1]) {
+      const bool is_indic = range[0] == 0x0900;
+      return code_point >= range[0] &&
+             !(is_indic && (code_point & 0x7f) - 0x66 < 10);
+    }
+  }
+  return false;
+}
+
+Pen::Pen(const Setting& setting, Order order) noexcept
+    : setting_(setting),
+      advances_(setting.advances(0)),
       is_visual_(order == visual) {
-  const int32_t px_q6 = options.letter_spacing.raw;
+  const int32_t px_q6 = options().letter_spacing.raw;
   if (px_q6 != 0) {
     spacing_ = from_px(Q26_6::from_raw(px_q6 < 0 ? -px_q6 : px_q6));
     spacing_ = px_q6 < 0 ? -spacing_ : spacing_;
@@ -68,36 +81,36 @@ int32_t Pen::from_px(Q26_6 px) const noexcept {
   if (advances_.is_whole()) {
     return clamp_to(px.raw >> 6, kMaxPx);
   }
-  const int64_t units = int64_t{px.raw} * options_.face.font->units_per_em();
-  return clamp_to(units / options_.face.style->size().raw, kMaxUnits);
+  const int64_t units = int64_t{px.raw} * setting_.face().font->units_per_em();
+  return clamp_to(units / setting_.face().style->size().raw, kMaxUnits);
 }
 
 Q26_6 Pen::to_px(int32_t length) const noexcept {
   return advances_.is_whole() ? Q26_6::from_int(length)
-                              : inkcell::to_px(*options_.face.font,
-                                               *options_.face.style, length);
+                              : inkcell::to_px(*setting_.face().font,
+                                               *setting_.face().style, length);
 }
 
 int32_t Pen::from_units(int32_t units) const noexcept {
   if (!advances_.is_whole()) {
     return units;
   }
-  return clamp_to(divide(int64_t{units} * options_.face.style->size().raw,
-                         em_q6_of(options_.face)),
+  return clamp_to(divide(int64_t{units} * setting_.face().style->size().raw,
+                         em_q6_of(setting_.face())),
                   kMaxPx);
 }
 
 int32_t Pen::em() const noexcept {
-  return advances_.is_whole() ? (options_.face.style->size().raw + 32) >> 6
-                              : options_.face.font->units_per_em();
+  return advances_.is_whole() ? (setting_.face().style->size().raw + 32) >> 6
+                              : setting_.face().font->units_per_em();
 }
 
 Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
   Glyph found;
-  uint32_t faces = static_cast<uint32_t>(options_.fallback.size);
+  uint32_t faces = static_cast<uint32_t>(options().fallback.size);
   faces = (faces < 255 ? faces : 255) + 1;
   for (uint32_t i = 0; i != faces; ++i) {
-    if (face(i).font->glyph_of(code_point, found.id) == Status::ok) {
+    if (setting_.face(i).font->glyph_of(code_point, found.id) == Status::ok) {
       found.face = static_cast<uint8_t>(i);
       found.is_found = true;
       break;
@@ -130,31 +143,44 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
   if (shown == Shown::mark && !glyph.is_found) {
     return {};
   }
+  if (!glyph.is_found && setting_.painter.report() != nullptr) {
+    replace(code_point, glyph);
+    if (!glyph.is_found) {
+      return {};
+    }
+  }
   glyph.is_found = true;
   advance_out = advance(glyph);
   return glyph;
 }
 
-// An advance of another face in units of the first.
-int32_t Pen::own_units(const Face& other, int32_t length) const noexcept {
-  int64_t dividend = length;
-  int64_t divisor = 1;
-  if (!other.style->has_whole_advances()) {  // to px
-    dividend *= other.style->size().raw;
-    divisor = em_q6_of(other);
-  }
-  if (!advances_.is_whole()) {  // from px
-    dividend *= em_q6_of(options_.face);
-    divisor *= options_.face.style->size().raw;
-  }
-  return clamp_to(divide(dividend, divisor), advances_.limit());
+// What a painter's report draws for a character that no face has.
+void Pen::replace(uint32_t code_point, Glyph& glyph) const noexcept {
+  glyph.is_found = setting_.painter.report()->find_instead(
+      code_point, [&](uint32_t other) noexcept {
+        glyph = find(other);
+        return glyph.is_found;
+      });
 }
 
 int32_t Pen::advance(const Glyph& glyph) const noexcept {
-  const Face& own = face(glyph.face);
-  const int32_t length =
-      Advances(*own.font, whole_style(own)).advance(glyph.id);
-  return glyph.face == 0 ? length : own_units(own, length);
+  if (glyph.face == 0) {
+    return advances_.advance(glyph.id);
+  }
+  // In units of the first face.
+  const Face& own = setting_.face(glyph.face);
+  const Advances advances = setting_.advances(glyph.face);
+  int64_t dividend = advances.advance(glyph.id);
+  int64_t divisor = 1;
+  if (!advances.is_whole()) {  // to px
+    dividend *= own.style->size().raw;
+    divisor = em_q6_of(own);
+  }
+  if (!advances_.is_whole()) {  // from px
+    dividend *= em_q6_of(setting_.face());
+    divisor *= setting_.face().style->size().raw;
+  }
+  return clamp_to(divide(dividend, divisor), advances_.limit());
 }
 
 // Glyphs of other faces are not kerned. A pair is in the order of the screen.
@@ -180,8 +206,8 @@ int32_t Pen::digit_width() noexcept {
 }
 
 int32_t Pen::tab_step() const noexcept {
-  if (options_.tab_width.raw != 0) {
-    return from_px(options_.tab_width);
+  if (options().tab_width.raw != 0) {
+    return from_px(options().tab_width);
   }
   const Glyph space = find(' ');
   return space.is_found ? clamp_to(8 * advance(space), kMaxPx) : em();
@@ -194,7 +220,7 @@ int32_t Pen::next_tab(int32_t step) const noexcept {
     return clamp_to(at_ + step, limit);
   }
   const int32_t from = at_ - origin_;
-  for (const Q26_6 stop : options_.tab_stops) {
+  for (const Q26_6 stop : options().tab_stops) {
     const int32_t to = from_px(stop);
     if (to > from) {
       return clamp_to(origin_ + to, limit);
@@ -233,8 +259,11 @@ void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
 void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   begin_cell(level, cell);
   cell.is_mark = is_mark(code_point);
-  if (level % 2 != 0 && options_.order() != nullptr) {
-    code_point = options_.order()->mirrored(code_point);
+  if (level % 2 != 0 && options().order() != nullptr) {
+    code_point = options().order()->mirrored(code_point);
+  }
+  if (setting_.painter.report() != nullptr && needs_shaping(code_point)) {
+    setting_.painter.report()->note(Status::needs_shaping);
   }
   const Shown shown = shown_as(code_point);
   int32_t advance = 0;
@@ -243,7 +272,7 @@ void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   cell.face = glyph.face;
   cell.has_ink = glyph.is_found && shown != Shown::space;
   const bool is_tabular =
-      options_.tabular_digits && code_point - '0' < 10 && glyph.is_found;
+      options().tabular_digits && code_point - '0' < 10 && glyph.is_found;
   cell.is_base = !cell.is_mark && (glyph.is_found || advance != 0);
   cell.is_kerned = cell.is_base && glyph.is_found && !is_tabular;
   cell.x_end = advance;

@@ -5,6 +5,7 @@
 
 #include "inkcell/layout/layout.hpp"
 #include "line_class.hpp"
+#include "setting.hpp"
 #include "text/advances.hpp"
 #include "text/blank.hpp"
 
@@ -19,6 +20,9 @@ inline bool is_mark(uint32_t code_point) noexcept {
 // Justified text is stretched after spaces, and after characters between which
 // lines may end without them.
 bool is_gap(uint32_t code_point) noexcept;
+
+// Letters that are joined, reordered or stacked, by a shaper.
+bool needs_shaping(uint32_t code_point) noexcept;
 
 // A character on its line. Positions count from the line's left end, in the
 // pen's unit: whole pixels where the style has such advances, else font units.
@@ -51,7 +55,7 @@ class Pen {
   // In the order of the text, or in that of the screen, from left to right.
   enum Order : bool { logical, visual };
 
-  Pen(const LayoutOptions& options, Order order) noexcept;
+  Pen(const Setting& setting, Order order) noexcept;
 
   // From a length in px, rounded down, and to one in font units.
   int32_t from_px(Q26_6 px) const noexcept;
@@ -62,12 +66,15 @@ class Pen {
   // A sum of the pen's that is kept in font units.
   int32_t from_units(int32_t units) const noexcept;
 
-  const LayoutOptions& options() const noexcept { return options_; }
+  const Setting& setting() const noexcept { return setting_; }
+  const LayoutOptions& options() const noexcept { return setting_.options; }
   int32_t at() const noexcept { return at_; }
   // Between two characters.
   int32_t spacing() const noexcept { return spacing_; }
   // Whether spacing comes before the next character.
   bool has_begun() const noexcept { return has_begun_; }
+  // Whether there is no more room on any line.
+  bool is_at_limit() const noexcept { return at_ == advances_.limit(); }
   void move(int32_t by) noexcept {
     at_ = clamp_to(at_ + by, advances_.limit());
   }
@@ -115,15 +122,12 @@ class Pen {
     bool is_found = false;
   };
 
-  const Face& face(uint32_t index) const noexcept {
-    return index == 0 ? options_.face : options_.fallback[index - 1];
-  }
   Glyph find(uint32_t code_point) const noexcept;
   Glyph find_shown(uint32_t code_point,
                    Shown shown,
                    int32_t& advance) const noexcept;
+  void replace(uint32_t code_point, Glyph& glyph) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
-  int32_t own_units(const Face& other, int32_t length) const noexcept;
   void look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
   int32_t kerning(const Cell& cell) const noexcept;
   void place(int32_t kerning, Cell& cell) noexcept;
@@ -135,7 +139,7 @@ class Pen {
   int32_t em() const noexcept;
   Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
 
-  const LayoutOptions& options_;
+  const Setting& setting_;
   Advances advances_;
   int32_t at_ = 0;
   int32_t origin_ = 0;

@@ -1,60 +1,35 @@
 #include "inkcell/layout/text_box.hpp"
-#include "inkcell/painter.hpp"
 
 #include "box_lines.hpp"
+#include "text/glyph_run.hpp"
 
 namespace inkcell {
 
+using detail::BoxDrawer;
 using detail::BoxLines;
 using detail::Cell;
+using detail::FacesDrawer;
 using detail::kFar;
 using detail::line_step;
 using detail::LineCursor;
+using detail::Setting;
 
 namespace {
 
-// What becomes of the glyphs of a box: they are drawn, or their pixels added
-// up.
-struct Drawing {
-  const Sink& sink;
-  const Workspace& workspace;
-
-  __attribute__((noinline)) void take(
-      const TextBox& box,
-      Point origin,
-      const PositionedGlyph& glyph) const noexcept {
-    Sink clipped = sink;
-    clipped.window = intersect(clipped.window, box.clip);
-    inkcell::Painter(clipped, workspace)
-        .glyphs(box.options.face, box.options.fallback, origin, {&glyph, 1});
-  }
-};
-
-struct Summing {
-  Rect& sum;
-
-  __attribute__((noinline)) void take(
-      const TextBox& box,
-      Point origin,
-      const PositionedGlyph& glyph) const noexcept {
-    const Rect pixels = inkcell::Painter().box(
-        box.options.face, box.options.fallback, origin, {&glyph, 1});
-    sum = bounding_box(sum, intersect(pixels, box.clip));
-  }
-};
-
-template <typename Taker>
-__attribute__((noinline)) void take_line(const BoxLines& lines,
+// Draws the glyphs of a line, or adds up their boxes, as the painter's drawer
+// does.
+__attribute__((noinline)) void draw_line(const BoxLines& lines,
                                          int32_t y_q6,
-                                         const Taker& taker) noexcept {
-  const TextBox& box = lines.box();
-  const Point origin = {Q26_6::from_int(box.rect.x0), Q26_6::from_raw(y_q6)};
+                                         const Painter& painter) noexcept {
+  const Setting& setting = lines.setting();
+  FacesDrawer drawer(painter, setting.face(), setting.options.fallback);
   LineCursor cursor = lines.cursor();
+  drawer.begin({Q26_6::from_int(lines.box().rect.x0), Q26_6::from_raw(y_q6)},
+               false);
   Cell cell;
   while (cursor.next(cell)) {
     if (cell.has_ink) {
-      taker.take(box, origin,
-                 detail::positioned(cursor.pen(), lines.line(), cell));
+      drawer.draw(detail::positioned(cursor.pen(), lines.line(), cell));
     }
   }
 }
@@ -108,10 +83,11 @@ class Carets {
 }  // namespace
 
 Status TextBox::lay_out(Text text,
+                        const Painter& painter,
                         Span<TextLine> out,
                         Span<const TextLine>& lines) const noexcept {
   const Span<const TextLine> none;
-  BoxLines found(*this, text, none);
+  BoxLines found(*this, painter, text, none);
   size_t count = 0;
   while (found.next()) {
     if (count == out.size) {
@@ -146,72 +122,62 @@ __attribute__((noinline)) int32_t ink_bottom(const TextBox& box,
   return top + baseline(box.options).raw + ink_reach(box);
 }
 
-// Takes the glyphs of lines that meet the box and the window. Keeps little on
-// the stack, which finding lines is deep on.
-template <typename Taker>
-__attribute__((always_inline)) inline void take_lines(
-    const TextBox& box,
-    const Text& text,
-    const Span<const TextLine>& lines,
-    const Rect& window,
-    const Taker& taker) noexcept {
-  BoxLines found(box, text, lines);
+// Draws the lines that meet the box and a window. Keeps little on the stack,
+// which finding lines is deep on.
+void draw_lines(const TextBox& box,
+                const Text& text,
+                const Span<const TextLine>& lines,
+                const Rect& window,
+                const Painter& painter) noexcept {
+  BoxLines found(box, painter, text, lines);
   int32_t top = found.top();
   while (top < box.rect.y1 * 64 && ink_top(box, top) <= window.y1 * 64 &&
          found.next()) {
     const int32_t next = top + line_step(box);
     if (next > box.rect.y0 * 64 && ink_bottom(box, top) >= window.y0 * 64) {
       found.prepare();
-      take_line(found, top + baseline(box.options).raw, taker);
+      draw_line(found, top + baseline(box.options).raw, painter);
     }
     top = next;
   }
 }
 
-void draw_lines(const TextBox& box,
-                Text text,
-                const Sink& sink,
-                Workspace workspace,
-                Span<const TextLine> lines) noexcept {
-  if (!is_empty(intersect(sink.window, box.clip))) {
-    take_lines(box, text, lines, sink.window, Drawing{sink, workspace});
+// False: there is nothing to draw with, or nowhere to.
+bool can_draw(const TextBox& box, TextReport* report) noexcept {
+  const bool is_made = box.options.face.font != nullptr && !is_empty(box.clip);
+  INKCELL_ASSERT(is_made);  // was the constructor of a static box called?
+  if (!is_made && report != nullptr) {
+    report->note(Status::bad_argument);
   }
-}
-
-// With the style that a sink of few levels draws the first face with.
-__attribute__((noinline)) void draw_adapted(const TextBox& box,
-                                            Text text,
-                                            const Sink& sink,
-                                            Workspace workspace) noexcept {
-  Style room = *box.options.face.style;
-  TextBox own = box;
-  own.options.face.style = &sink.adapt(*box.options.face.style, false, room);
-  draw_lines(own, text, sink, workspace, {});
+  return is_made;
 }
 
 }  // namespace
 
 void TextBox::draw(Text text,
-                   const Sink& sink,
-                   Workspace workspace,
+                   const Painter& painter,
                    Span<const TextLine> lines) const noexcept {
-  if (sink.adapt != nullptr && lines.data == nullptr &&
-      options.face.style->is_fit_open()) {
-    draw_adapted(*this, text, sink, workspace);
-  } else {
-    draw_lines(*this, text, sink, workspace, lines);
+  Sink clipped = painter.sink();
+  clipped.window = intersect(clipped.window, clip);
+  if (can_draw(*this, painter.report()) && !is_empty(clipped.window)) {
+    draw_lines(*this, text, lines, clipped.window, painter.with(clipped));
   }
 }
 
-Rect TextBox::box(Text text, Span<const TextLine> lines) const noexcept {
-  Rect sum;
-  take_lines(*this, text, lines, clip, Summing{sum});
-  return sum;
+Rect TextBox::box(Text text,
+                  const Painter& painter,
+                  Span<const TextLine> lines) const noexcept {
+  BoxDrawer boxes(painter);
+  if (can_draw(*this, painter.report())) {
+    draw_lines(*this, text, lines, clip, painter.with(boxes));
+  }
+  return intersect(boxes.sum, clip);
 }
 
 TextSize TextBox::measure(Text text,
+                          const Painter& painter,
                           Span<const TextLine> lines) const noexcept {
-  BoxLines found(*this, text, lines);
+  BoxLines found(*this, painter, text, lines);
   TextSize size;
   int32_t width = 0;
   int32_t height = 0;
@@ -272,10 +238,11 @@ __attribute__((noinline)) int32_t caret_column(const BoxLines& lines,
 }  // namespace
 
 TextPlace TextBox::hit(Text text,
+                       const Painter& painter,
                        int32_t x,
                        int32_t y,
                        Span<const TextLine> lines) const noexcept {
-  BoxLines found(*this, text, lines);
+  BoxLines found(*this, painter, text, lines);
   int32_t bottom = found.top();
   bool is_found = false;
   while (!is_found && found.next()) {
@@ -290,9 +257,10 @@ TextPlace TextBox::hit(Text text,
 }
 
 Rect TextBox::caret(Text text,
+                    const Painter& painter,
                     TextPlace place,
                     Span<const TextLine> lines) const noexcept {
-  BoxLines found(*this, text, lines);
+  BoxLines found(*this, painter, text, lines);
   int32_t top = found.top();
   bool is_found = false;
   while (!is_found && found.next()) {

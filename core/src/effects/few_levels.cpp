@@ -11,8 +11,14 @@
 #include "base/math.hpp"
 #include "effects/mixed_rows.hpp"
 #include "inkcell/fit.hpp"
+#include "place/style_parts.hpp"
 
 namespace inkcell {
+
+// Null where nothing draws outlines: see band_kind.cpp.
+extern __attribute__((weak)) const Fitter kFitTwoLevels;
+extern __attribute__((weak)) const Fitter kFitFourLevels;
+
 namespace detail {
 namespace {
 
@@ -94,15 +100,26 @@ void mix_few(const Effect& effect, GlyphBand& band) noexcept {
   });
 }
 
+// `own` is the fitter of the levels; null in a program without outlines.
+const Fitter* fitter_of(const Style& given, const Fitter* own) noexcept {
+  if (!StyleParts::is_fit_open(given)) {
+    return given.fitter();
+  }
+  return given.size().raw < Fit::kEnds.raw ? own : nullptr;
+}
+
 const Style& adapt(const Style& given,
-                   bool is_laid_out,
-                   const Fitter& fitter,
+                   const Fitter* own,
                    const FewLevels& effect,
                    Style& room) noexcept {
+  const bool is_open = StyleParts::is_fit_open(given);
+  if (!is_open && given.effect() != nullptr) {
+    return given;
+  }
   room = given;
-  if (!is_laid_out && given.is_fit_open()) {
-    room.set_fitter(given.size().raw < Fit::kEnds.raw ? &fitter : nullptr,
-                    nullptr);
+  if (is_open) {
+    const Fitter* const fitter = fitter_of(given, own);
+    fitter == nullptr ? room.clear_fit() : room.set_fit(*fitter, nullptr);
   }
   if (given.effect() == nullptr) {
     room.set_effect(effect);
@@ -114,17 +131,22 @@ const Style& adapt(const Style& given,
 
 const Mixer kFewLevelsMixer = {nullptr, plan_few, mix_few};
 
-const Style& adapt_to_two_levels(const Style& given,
-                                 bool is_laid_out,
-                                 Style& room) noexcept {
-  return adapt(given, is_laid_out, kFitTwoLevels, kTwoLevels, room);
-}
+const LevelRule kTwoLevelRule = {
+    [](const Style& given, bool can_fit, Style& room) noexcept -> const Style& {
+      return adapt(given, can_fit ? &kFitTwoLevels : nullptr, kTwoLevels, room);
+    },
+    [](const Style& given, bool can_fit) noexcept {
+      return fitter_of(given, can_fit ? &kFitTwoLevels : nullptr);
+    }};
 
-const Style& adapt_to_four_levels(const Style& given,
-                                  bool is_laid_out,
-                                  Style& room) noexcept {
-  return adapt(given, is_laid_out, kFitFourLevels, kFourLevels, room);
-}
+const LevelRule kFourLevelRule = {
+    [](const Style& given, bool can_fit, Style& room) noexcept -> const Style& {
+      return adapt(given, can_fit ? &kFitFourLevels : nullptr, kFourLevels,
+                   room);
+    },
+    [](const Style& given, bool can_fit) noexcept {
+      return fitter_of(given, can_fit ? &kFitFourLevels : nullptr);
+    }};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -198,7 +198,7 @@ class GridFit {
 
  private:
   static const Fit& fit_of(const Style& style) noexcept {
-    return *static_cast<const Fit*>(style.fitter_options());
+    return *static_cast<const Fit*>(style.fit_options());
   }
 
   // Broken hints are none.

@@ -63,8 +63,8 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
     id = find_on_page(code_point);
     if (id >= glyph_count_) {
       glyph = 0;
-      return is_paged_ != 0 ? pages().glyph_of(pages(), code_point, glyph)
-                            : Status::no_glyph;
+      return pages_ != nullptr ? pages_->glyph_of(*pages_, code_point, glyph)
+                               : Status::no_glyph;
     }
   }
   glyph = static_cast<uint16_t>(id);

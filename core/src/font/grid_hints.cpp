@@ -83,9 +83,9 @@ GlyphHints::GlyphHints(const GridHints& hints,
   const uint8_t* const section = hints.section_;
   y_at_ = uint32_t{section[grid::kFirstY]} << grid::kFirstShift;
   x_at_ = uint32_t{section[grid::kFirstX]} << grid::kFirstShift;
-  static_assert(kYShift == grid::kHeightCountShift &&
-                    kSymmetric == grid::kSymmetric,
-                "as they are stored");
+  static_assert(
+      kYShift == grid::kHeightCountShift && kSymmetric == grid::kSymmetric,
+      "as they are stored");
   head_ = take(grid::kHeads);
   if ((head_ & grid::kHasInsets) != 0) {
     constexpr uint32_t kMask = (1u << grid::kInsetBits) - 1;

@@ -38,7 +38,7 @@ int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
   using detail::BitTable;
   detail::Kerning kerning;
   if (left >= glyph_count_ || right >= glyph_count_) {
-    return is_paged_ != 0 ? pages().kerning(pages(), left, right) : 0;
+    return pages_ != nullptr ? pages_->kerning(*pages_, left, right) : 0;
   }
   if (!kerning.open(kerning_table())) {
     return 0;

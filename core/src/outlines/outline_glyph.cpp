@@ -6,6 +6,7 @@
 #include "inkcell/format/rom.hpp"
 #include "outlines/record_bits.hpp"
 #include "outlines/slant.hpp"
+#include "place/style_parts.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -91,7 +92,8 @@ bool OutlineGlyph::find(const Font& font,
   font_ = &font;
   const int32_t scale = scale_of(font, size, outline_coding(font));
   map_ = {{{scale, 0}, {0, -scale}}};
-  is_mirrored = slanted != nullptr && slanted->slant().map(*slanted, map_);
+  is_mirrored =
+      slanted != nullptr && StyleParts::slant(*slanted).map(*slanted, map_);
   const GlyphMetrics& box = record_.metrics;
 #if !defined(__OPTIMIZE_SIZE__)
 #  pragma GCC unroll 2

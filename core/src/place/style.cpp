@@ -213,7 +213,7 @@ bool is_same(const Style& a, const Style& b) noexcept {
   return a.size_q6_ == b.size_q6_ && a.axes_.x_right == b.axes_.x_right &&
          a.axes_.x_up == b.axes_.x_up && a.axes_.y_right == b.axes_.y_right &&
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&
-         a.fitter() == b.fitter() && a.fitter_options_ == b.fitter_options_ &&
+         a.fitter() == b.fitter() && a.fit_options_ == b.fit_options_ &&
          a.effect_ == b.effect_;
 }
 

@@ -3,6 +3,7 @@
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "place/style_parts.hpp"
 #include "rows/emit_band.hpp"
 #include "rows/source.hpp"
 
@@ -55,7 +56,7 @@ bool make_plan(const Source& source,
   plan.columns = 1;
   plan.rows = 1;
   plan.sample_bytes = 1;
-  plan.band_kind = style.band_kind();
+  plan.band_kind = StyleParts::band_kind(style);
   const Effect* const effect = style.effect();
   if (effect != nullptr && effect->mixer().band_kind != nullptr) {
     plan.band_kind = effect->mixer().band_kind;

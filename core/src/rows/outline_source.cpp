@@ -2,7 +2,9 @@
 
 #include "base/math.hpp"
 #include "inkcell/coding.hpp"
+#include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
+#include "place/style_parts.hpp"
 #include "rows/area_painter.hpp"
 #include "rows/crossings.hpp"
 #include "rows/distance_painter.hpp"
@@ -26,7 +28,7 @@ __attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
                                                    int32_t room) noexcept {
   ScreenPoint* const end = job.outline.read(job.points, room);
   if (job.warp != nullptr) {
-    job.style->outline_fitter().move(job, job.points, end);
+    StyleParts::outline_fitter(*job.style).move(job, job.points, end);
   }
   return end;
 }
@@ -71,8 +73,8 @@ bool prepare_outline(GlyphJob& base,
   }
   job.warp = nullptr;
   Placed placed = given;
-  if (style.is_fitted() &&
-      !style.outline_fitter().fit(job, font, ref.glyph, placed, ink)) {
+  if (style.is_fitted() && !StyleParts::outline_fitter(style).fit(
+                               job, font, ref.glyph, placed, ink)) {
     return false;
   }
   const BandPlan& plan = job.plan;
@@ -105,8 +107,13 @@ constexpr Source kOutlineSource = {prepare_outline, fill_band,
 
 }  // namespace
 
-// Names the objects of all painters, for band_kind.cpp. Nobody reads it, so
-// that the linker drops it.
+// Name the objects of all painters, for band_kind.cpp, and of what fits
+// outlines on canvases of few levels. Nobody reads them, so that the linker
+// drops them.
+extern const LevelRule* const kOutlineRules[];
+const LevelRule* const kOutlineRules[] = {&kTwoLevelRule, &kFourLevelRule};
+extern const Fitter* const kOutlineFitters[];
+const Fitter* const kOutlineFitters[] = {&kFitTwoLevels, &kFitFourLevels};
 extern PaintPoints* const kOutlinePainters[];
 PaintPoints* const kOutlinePainters[] = {paint_areas, paint_crossings,
                                          paint_distances, paint_wide_distances};

@@ -24,13 +24,14 @@ inline int32_t clamp_to(int64_t value, int32_t limit) noexcept {
   return value < -limit ? -limit : static_cast<int32_t>(value);
 }
 
-// A font, and the style if that has advances in whole pixels.
+// A font, a style, and its fitter if that has advances in whole pixels, or
+// null.
 class Advances {
  public:
-  Advances(const Font& font, const Style* whole) noexcept
-      : font_(font), style_(whole) {}
+  Advances(const Font& font, const Style* style, const Fitter* whole) noexcept
+      : font_(font), style_(style), fitter_(whole) {}
 
-  bool is_whole() const noexcept { return style_ != nullptr; }
+  bool is_whole() const noexcept { return fitter_ != nullptr; }
   int32_t limit() const noexcept { return is_whole() ? kMaxPx : kMaxUnits; }
 
   int32_t advance(uint16_t glyph) const noexcept;
@@ -48,7 +49,8 @@ class Advances {
   int32_t to_whole_px(int32_t units) const noexcept;
 
   const Font& font_;
-  const Style* style_;
+  const Style* style_;  // may be null where there is no fitter
+  const Fitter* fitter_;
 };
 
 }  // namespace detail

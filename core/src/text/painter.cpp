@@ -32,32 +32,22 @@ Rect box_of(const GlyphRun& run,
                         at_phase(placed, run.painter.drawer().phase_shift));
 }
 
-namespace {
+void BoxDrawer::add(GlyphRun& run,
+                    uint16_t glyph,
+                    const Placed& placed) noexcept {
+  // The painter that has it was made with the object itself.
+  auto& self = const_cast<BoxDrawer&>(
+      static_cast<const BoxDrawer&>(run.painter.drawer()));
+  self.sum = bounding_box(self.sum, box_of(run, glyph, placed));
+}
 
-// Draws nothing, but adds up the boxes of glyphs.
-struct BoxDrawer : GlyphDrawer {
-  Rect* sum;
-
-  BoxDrawer(const GlyphDrawer& drawer, Rect& boxes) noexcept
-      : GlyphDrawer{add, drawer.phase_shift}, sum(&boxes) {}
-
-  static void add(GlyphRun& run,
-                  uint16_t glyph,
-                  const Placed& placed) noexcept {
-    Rect& sum = *static_cast<const BoxDrawer&>(run.painter.drawer()).sum;
-    sum = bounding_box(sum, box_of(run, glyph, placed));
-  }
-};
-
-}  // namespace
 }  // namespace detail
 
 using detail::BoxDrawer;
+using detail::FacesDrawer;
 using detail::GlyphRun;
-using detail::place_near;
 using detail::Placed;
-using detail::run_origin;
-using detail::UnitScale;
+using detail::RunDrawer;
 
 Status Font::check(const Style& style) const noexcept {
   return source_ == nullptr || detail::can_draw(*source_, style)
@@ -66,23 +56,15 @@ Status Font::check(const Style& style) const noexcept {
 }
 
 void Painter::text(const Font& font,
-                   const Style& given,
+                   const Style& style,
                    Point origin,
                    Text text) const noexcept {
-  detail::StyleRoom room;
-  const Style& style = adapted(given, false, room.style());
-  const UnitScale scale(font, style);
-  TextCursor cursor(font, text, style);
-  if (cursor.is_in_whole_px()) {
-    origin.x = detail::whole_px(origin.x);
-  }
-  GlyphRun run = {*this, &font, &style};
+  RunDrawer drawer(*this, font, style);
+  TextCursor cursor(font, text, drawer.style(), report_);
+  drawer.begin(origin, cursor.is_in_whole_px());
   PositionedGlyph at;
-  Placed placed;
   while (cursor.next(at)) {
-    if (place_near(scale, style, origin, at, placed)) {
-      drawer_->draw(run, at.glyph, placed);
-    }
+    drawer.draw(at);
   }
 }
 
@@ -91,27 +73,10 @@ void Painter::glyphs(const Face& face,
                      Point origin,
                      Span<const PositionedGlyph> glyphs) const noexcept {
   INKCELL_ASSERT(face.font != nullptr && face.style != nullptr);
-  const UnitScale scale(*face.font, *face.style);
-  origin = run_origin(*face.style, origin);
-  detail::StyleRoom room;
-  GlyphRun run = {*this, face.font, &adapted(*face.style, true, room.style())};
-  uint32_t drawn_face = 0;
-  Placed placed;
+  FacesDrawer drawer(*this, face, fallback);
+  drawer.begin(origin, drawer.style().has_whole_advances());
   for (const PositionedGlyph& at : glyphs) {
-    if (at.face > fallback.size) {
-      continue;
-    }
-    if (at.face != drawn_face) {
-      const Face& own = at.face == 0 ? face : fallback[at.face - 1u];
-      INKCELL_ASSERT(own.font != nullptr && own.style != nullptr);
-      drawn_face = at.face;
-      run.font = own.font;
-      run.style = &adapted(*own.style, true, room.style());
-      run.state = 0;
-    }
-    if (place_near(scale, *face.style, origin, at, placed)) {
-      drawer_->draw(run, at.glyph, placed);
-    }
+    drawer.draw(at);
   }
 }
 
@@ -120,7 +85,7 @@ void Painter::glyph(const Font& font,
                     Point origin,
                     uint16_t glyph) const noexcept {
   detail::StyleRoom room;
-  const Style& style = adapted(given, false, room.style());
+  const Style& style = adapted(given, room.style());
   Placed placed;
   if (placed.set(origin)) {
     GlyphRun run = {*this, &font, &style};
@@ -132,38 +97,48 @@ Rect Painter::box(const Font& font,
                   const Style& style,
                   Point origin,
                   Text text) const noexcept {
-  Rect sum;
-  const BoxDrawer boxes(*drawer_, sum);
-  Painter(*sink_, {}, &boxes).text(font, style, origin, text);
-  return sum;
+  BoxDrawer boxes(*this);
+  with(boxes).text(font, style, origin, text);
+  return boxes.sum;
 }
 
 Rect Painter::box(const Font& font,
                   const Style& style,
                   Point origin,
                   const ShapedRun& run) const noexcept {
-  Rect sum;
-  const BoxDrawer boxes(*drawer_, sum);
-  Painter(*sink_, {}, &boxes).text(font, style, origin, run);
-  return sum;
+  BoxDrawer boxes(*this);
+  with(boxes).text(font, style, origin, run);
+  return boxes.sum;
 }
 
 Rect Painter::box(const Face& face,
                   Span<const Face> fallback,
                   Point origin,
                   Span<const PositionedGlyph> glyphs) const noexcept {
-  Rect sum;
-  const BoxDrawer boxes(*drawer_, sum);
-  Painter(*sink_, {}, &boxes).glyphs(face, fallback, origin, glyphs);
-  return sum;
+  BoxDrawer boxes(*this);
+  with(boxes).glyphs(face, fallback, origin, glyphs);
+  return boxes.sum;
 }
 
 PixelMeasure Painter::measure(const Font& font,
-                              const Style& given,
+                              const Style& style,
                               Text text) const noexcept {
   detail::StyleRoom room;
-  const Style& style = adapted(given, false, room.style());
-  return to_px(font, style, inkcell::measure(font, text, style));
+  return to_px(
+      font, style,
+      detail::measure(
+          font, TextCursor(font, text, adapted(style, room.style()), report_)));
+}
+
+Status Painter::lay_out(const Font& font,
+                        const Style& style,
+                        Text text,
+                        Span<PositionedGlyph> out,
+                        Span<const PositionedGlyph>& glyphs) const noexcept {
+  detail::StyleRoom room;
+  return detail::lay_out(
+      TextCursor(font, text, adapted(style, room.style()), report_), text.size,
+      out, glyphs);
 }
 
 Rect Painter::glyph_box(const Font& font,
@@ -171,7 +146,7 @@ Rect Painter::glyph_box(const Font& font,
                         Point origin,
                         uint16_t glyph) const noexcept {
   detail::StyleRoom room;
-  const Style& style = adapted(given, false, room.style());
+  const Style& style = adapted(given, room.style());
   Placed placed;
   return placed.set(origin)
              ? detail::box_of({*this, &font, &style}, glyph, placed)

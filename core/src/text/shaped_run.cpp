@@ -25,6 +25,8 @@ class RunCursor {
     }
   }
 
+  bool is_in_whole_px() const noexcept { return style_ != nullptr; }
+
   // From one glyph of the run to the next.
   void next(const ShapedGlyph& glyph, PositionedGlyph& at) noexcept {
     x_ = clamp_to(x_ + glyph.x, kMaxUnits);
@@ -38,13 +40,13 @@ class RunCursor {
     if (style_ == nullptr) {
       return units;
     }
-    return Advances(*font_, style_).to_units(next_letter_px(units));
+    return advances().to_units(next_letter_px(units));
   }
 
  private:
   // Where a glyph at x_ stands, which may be a mark on the letter before it.
   int32_t whole_x(uint16_t glyph) noexcept {
-    const Advances advances(*font_, style_);
+    const Advances advances = this->advances();
     const int32_t gap = x_ - letter_x_;
     if (has_letter_ && 2 * gap < font_->advance(letter_)) {
       return advances.to_units(
@@ -57,12 +59,16 @@ class RunCursor {
     return advances.to_units(letter_px_);
   }
 
+  Advances advances() const noexcept {
+    return {*font_, style_, style_->fitter()};
+  }
+
   // Where a letter at `x` stands.
   int32_t next_letter_px(int32_t x) const noexcept {
     int32_t px = letter_px_;
     int32_t gap = clamp_to(x, kMaxUnits) - letter_x_;
     if (has_letter_) {
-      px += Advances(*font_, style_).advance(letter_);
+      px += advances().advance(letter_);
       gap -= font_->advance(letter_);
     }
     px += to_px(gap, gap < 0 ? kWhole_q10 : kHalf_q10);
@@ -92,10 +98,10 @@ void widen(int32_t low, int32_t high, int32_t& min, int32_t& max) noexcept {
   max = high > max ? high : max;
 }
 
-Status lay_out(RunCursor cursor,
-               const ShapedRun& run,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
+Status place_run(RunCursor cursor,
+                 const ShapedRun& run,
+                 Span<PositionedGlyph> out,
+                 Span<const PositionedGlyph>& glyphs) noexcept {
   if (out.size < run.glyphs.size) {
     return Status::buffer_small;
   }
@@ -108,9 +114,9 @@ Status lay_out(RunCursor cursor,
   return Status::ok;
 }
 
-TextMeasure measure(const Font& font,
-                    RunCursor cursor,
-                    const ShapedRun& run) noexcept {
+TextMeasure measure_run(const Font& font,
+                        RunCursor cursor,
+                        const ShapedRun& run) noexcept {
   TextMeasure sum = {0, INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
   PositionedGlyph at;
   for (const ShapedGlyph& next : run.glyphs) {
@@ -134,58 +140,45 @@ TextMeasure measure(const Font& font,
 Status lay_out(const ShapedRun& run,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept {
-  return lay_out(RunCursor(), run, out, glyphs);
-}
-
-Status lay_out(const Font& font,
-               const ShapedRun& run,
-               const Style& style,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
-  return lay_out(RunCursor(font, style), run, out, glyphs);
+  return place_run(RunCursor(), run, out, glyphs);
 }
 
 TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
-  return measure(font, RunCursor(), run);
+  return measure_run(font, RunCursor(), run);
 }
-
-TextMeasure measure(const Font& font,
-                    const ShapedRun& run,
-                    const Style& style) noexcept {
-  return measure(font, RunCursor(font, style), run);
-}
-
-namespace {
-
-// A frame of its own, beside that of an adapted style.
-__attribute__((noinline)) void draw(const Painter& painter,
-                                    const Font& font,
-                                    const Style& style,
-                                    Point origin,
-                                    const ShapedRun& run) noexcept {
-  const detail::UnitScale scale(font, style);
-  RunCursor cursor(font, style);
-  origin = detail::run_origin(style, origin);
-  detail::GlyphRun drawn = {painter, &font, &style};
-  PositionedGlyph at;
-  detail::Placed placed;
-  for (const ShapedGlyph& next : run.glyphs) {
-    cursor.next(next, at);
-    if (detail::place_near(scale, style, origin, at, placed)) {
-      painter.drawer().draw(drawn, at.glyph, placed);
-    }
-  }
-}
-
-}  // namespace
 
 // Here, so that text without runs does not link their cursor.
 void Painter::text(const Font& font,
-                   const Style& given,
+                   const Style& style,
                    Point origin,
                    const ShapedRun& run) const noexcept {
+  detail::RunDrawer drawer(*this, font, style);
+  RunCursor cursor(font, drawer.style());
+  drawer.begin(origin, cursor.is_in_whole_px());
+  PositionedGlyph at;
+  for (const ShapedGlyph& next : run.glyphs) {
+    cursor.next(next, at);
+    drawer.draw(at);
+  }
+}
+
+Status Painter::lay_out(const Font& font,
+                        const Style& style,
+                        const ShapedRun& run,
+                        Span<PositionedGlyph> out,
+                        Span<const PositionedGlyph>& glyphs) const noexcept {
   detail::StyleRoom room;
-  draw(*this, font, adapted(given, false, room.style()), origin, run);
+  return place_run(RunCursor(font, adapted(style, room.style())), run, out,
+                   glyphs);
+}
+
+PixelMeasure Painter::measure(const Font& font,
+                              const Style& style,
+                              const ShapedRun& run) const noexcept {
+  detail::StyleRoom room;
+  return to_px(
+      font, style,
+      measure_run(font, RunCursor(font, adapted(style, room.style())), run));
 }
 
 }  // namespace inkcell

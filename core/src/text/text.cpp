@@ -40,10 +40,11 @@ bool begins_well(uint32_t count, uint32_t bits) noexcept {
   return count == 1 || bits - (0x10000 >> 12) < 0x100000 >> 12;
 }
 
-// False: nothing is to be drawn. Only characters that show something become
-// .notdef where the font lacks them.
+// False: nothing is to be drawn. Only characters that show something are
+// missing where the font lacks them.
 bool find_glyph(const Font& font,
                 uint32_t code_point,
+                TextReport* report,
                 uint16_t& glyph) noexcept {
   const detail::Shown shown = detail::shown_as(code_point);
   if (shown == detail::Shown::nothing) {
@@ -52,9 +53,12 @@ bool find_glyph(const Font& font,
   if (code_point == '\t') {
     code_point = ' ';
   }
-  if (font.glyph_of(code_point, glyph) == Status::ok ||
-      shown == detail::Shown::glyph) {
+  if (font.glyph_of(code_point, glyph) == Status::ok) {
     return true;
+  }
+  if (shown == detail::Shown::glyph) {
+    return report == nullptr ||
+           report->replace(*report, font, code_point, glyph);
   }
   return shown == detail::Shown::space &&
          font.glyph_of(' ', glyph) == Status::ok;
@@ -93,25 +97,30 @@ bool needs_glyph(uint32_t code_point) noexcept {
   return detail::shown_as(code_point) == detail::Shown::glyph;
 }
 
-TextCursor::TextCursor(const Font& font, Text text, const Style& style) noexcept
+TextCursor::TextCursor(const Font& font,
+                       Text text,
+                       const Style& style,
+                       TextReport* report) noexcept
     : TextCursor(font, text) {
+  report_ = report;
   if (style.has_whole_advances()) {
     style_ = &style;
+    fitter_ = style.fitter();
   }
 }
 
 int32_t TextCursor::advance() const noexcept {
-  return Advances(font_, style_).to_units(advance_);
+  return Advances(font_, style_, fitter_).to_units(advance_);
 }
 
 bool TextCursor::next(PositionedGlyph& out) noexcept {
   while (text_.size != 0) {
     const size_t offset = size_ - text_.size;
-    uint16_t glyph = 0;
-    if (!find_glyph(font_, next_code_point(text_), glyph)) {
+    if (!find_glyph(font_, next_code_point(text_), report_, out.glyph)) {
       continue;
     }
-    const Advances advances(font_, style_);
+    const uint16_t glyph = out.glyph;
+    const Advances advances(font_, style_, fitter_);
     const int32_t kerning =
         previous_ >= 0
             ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
@@ -122,22 +131,25 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
     // accumulates.
     out.x = advances.to_units(at);
     out.y = 0;
-    out.glyph = glyph;
     out.offset = static_cast<uint16_t>(offset);
     out.face = 0;
-    advance_ = clamped(at + advances.advance(glyph), limit);
+    advance_ = at + advances.advance(glyph);
     previous_ = glyph;
+    if (advance_ >= limit) {
+      advance_ = limit;
+      if (report_ != nullptr) {
+        report_->note(Status::cut);
+      }
+    }
     return true;
   }
   return false;
 }
 
-namespace {
-
-Status lay_out(TextCursor cursor,
-               size_t bytes,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
+Status detail::lay_out(TextCursor cursor,
+                       size_t bytes,
+                       Span<PositionedGlyph> out,
+                       Span<const PositionedGlyph>& glyphs) noexcept {
   if (bytes > kMaxLineBytes) {
     return Status::bad_argument;
   }
@@ -153,7 +165,7 @@ Status lay_out(TextCursor cursor,
   return Status::ok;
 }
 
-TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
+TextMeasure detail::measure(const Font& font, TextCursor cursor) noexcept {
   TextMeasure sum;
   PositionedGlyph at;
   bool inked = false;
@@ -175,29 +187,15 @@ TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
   return sum;
 }
 
-}  // namespace
-
 Status lay_out(const Font& font,
                Text text,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept {
-  return lay_out(TextCursor(font, text), text.size, out, glyphs);
-}
-
-Status lay_out(const Font& font,
-               Text text,
-               const Style& style,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
-  return lay_out(TextCursor(font, text, style), text.size, out, glyphs);
+  return detail::lay_out(TextCursor(font, text), text.size, out, glyphs);
 }
 
 TextMeasure measure(const Font& font, Text text) noexcept {
-  return measure(font, TextCursor(font, text));
-}
-
-TextMeasure measure(const Font& font, Text text, const Style& style) noexcept {
-  return measure(font, TextCursor(font, text, style));
+  return detail::measure(font, TextCursor(font, text));
 }
 
 Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {

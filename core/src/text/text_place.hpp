@@ -8,6 +8,7 @@
 #include "inkcell/text.hpp"
 #include "outlines/slant.hpp"
 #include "place/position.hpp"
+#include "place/style_parts.hpp"
 #include "text/advances.hpp"
 
 namespace inkcell {
@@ -50,7 +51,7 @@ inline FinePoint place(const UnitScale& scale,
   if (style.is_upright()) {
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
-  return style.slant().place(style, origin, along, across);
+  return StyleParts::slant(style).place(style, origin, along, across);
 }
 
 // False: the glyph is too far away. Not inline: what it takes of the stack is
@@ -68,12 +69,6 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
 inline Q26_6 whole_px(Q26_6 x) noexcept {
   const uint32_t sum = static_cast<uint32_t>(x.raw) + 32;
   return Q26_6::from_raw(static_cast<int32_t>(sum & ~uint32_t{63}));
-}
-
-// Where a run begins: whole-pixel advances count from a whole pixel.
-inline Point run_origin(const Style& style, Point origin) noexcept {
-  return style.has_whole_advances() ? Point{whole_px(origin.x), origin.y}
-                                    : origin;
 }
 
 }  // namespace detail

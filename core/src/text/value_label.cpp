@@ -21,33 +21,33 @@ bool equal(Text a, Text b) noexcept {
 
 }  // namespace
 
-Point ValueLabel::place() const noexcept {
+Point ValueLabel::place(const Painter& painter) const noexcept {
   Point place = origin_;
   if (anchor_ != Anchor::left && style_->is_upright()) {
-    TextCursor cursor(*font_, text(), *style_);
-    PositionedGlyph glyph;
-    while (cursor.next(glyph)) {
-    }
-    const int32_t width = to_px(*font_, *style_, cursor.advance()).raw;
+    const int32_t width = painter.measure(*font_, *style_, text()).advance.raw;
     place.x.raw -= anchor_ == Anchor::right ? width : width / 2;
   }
   return place;
 }
 
 Rect ValueLabel::set(Text text, const Painter& painter) noexcept {
+  const size_t size = text.size;
   text = cut(text);
+  if (text.size != size && painter.report() != nullptr) {
+    painter.report()->note(Status::cut);
+  }
   if (equal(text, this->text())) {
     return {};
   }
   __builtin_memcpy(bytes_, text.data, text.size);
   size_ = static_cast<uint8_t>(text.size);
   const Rect before = box_;
-  box_ = painter.box(*font_, *style_, place(), this->text());
+  box_ = painter.box(*font_, *style_, place(painter), this->text());
   return bounding_box(before, box_);
 }
 
 void ValueLabel::draw(const Painter& painter) const noexcept {
-  painter.text(*font_, *style_, place(), text());
+  painter.text(*font_, *style_, place(painter), text());
 }
 
 }  // namespace inkcell

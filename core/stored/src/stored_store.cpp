@@ -92,10 +92,8 @@ Status StoredStore::open_font() noexcept {
       Font::open({resident() + font_offset_, bytes}, kStoredCoding, font_));
   page_ = font_;
   page_.source_ = kOutlineCoding.source;
-  // Look-up is by the index.
-  font_.tables_[0] = {
-      reinterpret_cast<const uint8_t*>(static_cast<const FontPages*>(this)), 0};
-  font_.is_paged_ = 1;
+  font_.tables_[0] = {};  // look-up is by the index
+  font_.pages_ = this;
   return Status::ok;
 }
 
@@ -340,8 +338,8 @@ const Font* StoredStore::page_of_glyph(const FontPages& pages,
 
 const Font* StoredStore::font_to_draw(const Font& font,
                                       uint32_t& glyph) noexcept {
-  if (glyph >= font.glyph_count_) {
-    return page_of_glyph(font.pages(), glyph);
+  if (glyph >= font.glyph_count_ && font.pages_ != nullptr) {
+    return page_of_glyph(*font.pages_, glyph);
   }
   return glyph == 0 ? &font : nullptr;
 }

@@ -21,9 +21,9 @@ static inkcell_status_t draw_strip(void* context,
                                     .colour = INKCELL_RGB565_OF(255, 200, 0)};
   inkcell_sink_t sink;
   const inkcell_status_t status = inkcell_rgb565_sink(&target, &sink);
-  inkcell_glyph_cache_draw_text(&screen->cache, &screen->font, screen->text,
-                                INKCELL_TERMINATED, &screen->style,
-                                INKCELL_Q6(4), INKCELL_Q6(32), &sink, NULL);
+  const inkcell_painter_t painter = {.sink = &sink, .cache = &screen->cache};
+  inkcell_draw_text(&painter, &screen->font, screen->text, INKCELL_TERMINATED,
+                    &screen->style, INKCELL_Q6(4), INKCELL_Q6(32));
   return status;
 }
 

@@ -29,11 +29,11 @@ inkcell_status_t draw_label(const void* rom,
     return status;
   }
 
-  inkcell_text_measure_t measure;
-  inkcell_measure(&font, text, INKCELL_TERMINATED, &style, &measure);
-  const int32_t width_q6 = inkcell_to_px(&font, &style, measure.advance);
-  inkcell_draw_text(&font, text, INKCELL_TERMINATED, &style,
-                    (INKCELL_Q6(LABEL_WIDTH) - width_q6) / 2, INKCELL_Q6(12),
-                    &sink, NULL);
+  const inkcell_painter_t painter = {.sink = &sink};
+  inkcell_pixel_measure_t measure;
+  inkcell_measure(&painter, &font, text, INKCELL_TERMINATED, &style, &measure);
+  inkcell_draw_text(&painter, &font, text, INKCELL_TERMINATED, &style,
+                    (INKCELL_Q6(LABEL_WIDTH) - measure.advance_q6) / 2,
+                    INKCELL_Q6(12));
   return INKCELL_OK;
 }

@@ -36,10 +36,12 @@ inkcell_status_t draw_paragraph(
 
   inkcell_text_line_t lines[6];
   size_t count = 0;
-  status = inkcell_text_box_lay_out(&box, text, INKCELL_TERMINATED, lines,
-                                    sizeof lines / sizeof lines[0], &count);
+  const inkcell_painter_t painter = {.sink = &sink};
+  status =
+      inkcell_text_box_lay_out(&box, &painter, text, INKCELL_TERMINATED, lines,
+                               sizeof lines / sizeof lines[0], &count);
   if (status == INKCELL_OK) {
-    inkcell_text_box_draw(&box, text, INKCELL_TERMINATED, &sink, NULL, lines,
+    inkcell_text_box_draw(&box, &painter, text, INKCELL_TERMINATED, lines,
                           count);
   }
   return status;

@@ -36,8 +36,9 @@ inkcell_status_t draw_plot(const void* rom,
                                  .context = pixels,
                                  .coverage = take_coverage,
                                  .solid = take_solid};
-    inkcell_draw_text(&font, text, INKCELL_TERMINATED, &style, INKCELL_Q6(2),
-                      INKCELL_Q6(20.5), &sink, NULL);
+    const inkcell_painter_t painter = {.sink = &sink};
+    inkcell_draw_text(&painter, &font, text, INKCELL_TERMINATED, &style,
+                      INKCELL_Q6(2), INKCELL_Q6(20.5));
   }
   return status;
 }

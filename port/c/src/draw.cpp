@@ -5,73 +5,74 @@
 using namespace inkcell;
 using namespace inkcell::c;
 
-void inkcell_draw_text(const inkcell_font_t* font,
+void inkcell_text_report_init(inkcell_text_report_t* report) {
+  ref(report) = TextReport();
+}
+
+void inkcell_draw_text(const inkcell_painter_t* painter,
+                       const inkcell_font_t* font,
                        const char* text,
                        size_t size,
                        const inkcell_style_t* style,
                        int32_t x_q6,
-                       int32_t y_q6,
-                       const inkcell_sink_t* sink,
-                       const inkcell_workspace_t* ram) {
-  Painter(ref(sink), workspace_of(ram)).text(ref(font), ref(style),
-      point_of(x_q6, y_q6), text_of(text, size));
+                       int32_t y_q6) {
+  painter_of(painter).text(ref(font), ref(style), point_of(x_q6, y_q6),
+      text_of(text, size));
 }
 
-void inkcell_draw_glyph(const inkcell_font_t* font,
+void inkcell_draw_glyph(const inkcell_painter_t* painter,
+                        const inkcell_font_t* font,
                         uint16_t glyph,
                         const inkcell_style_t* style,
                         int32_t x_q6,
-                        int32_t y_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram) {
-  Painter(ref(sink), workspace_of(ram)).glyph(ref(font), ref(style),
-      point_of(x_q6, y_q6), glyph);
+                        int32_t y_q6) {
+  painter_of(painter).glyph(ref(font), ref(style), point_of(x_q6, y_q6), glyph);
 }
 
-void inkcell_draw_glyphs(const inkcell_font_t* font,
+void inkcell_draw_glyphs(const inkcell_painter_t* painter,
+                         const inkcell_font_t* font,
                          const inkcell_positioned_glyph_t* glyphs,
                          size_t count,
                          const inkcell_style_t* style,
                          int32_t x_q6,
-                         int32_t y_q6,
-                         const inkcell_sink_t* sink,
-                         const inkcell_workspace_t* ram) {
-  Painter(ref(sink), workspace_of(ram)).glyphs(ref(font), ref(style),
-      point_of(x_q6, y_q6), {cpp(glyphs), count});
+                         int32_t y_q6) {
+  painter_of(painter).glyphs(ref(font), ref(style), point_of(x_q6, y_q6),
+      {cpp(glyphs), count});
 }
 
-void inkcell_draw_faces(const inkcell_face_t* face,
+void inkcell_draw_faces(const inkcell_painter_t* painter,
+                        const inkcell_face_t* face,
                         const inkcell_face_t* fallback,
                         size_t fallback_count,
                         const inkcell_positioned_glyph_t* glyphs,
                         size_t count,
                         int32_t x_q6,
-                        int32_t y_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram) {
-  Painter(ref(sink), workspace_of(ram)).glyphs(ref(face), {cpp(fallback),
-      fallback_count}, point_of(x_q6, y_q6), {cpp(glyphs), count});
+                        int32_t y_q6) {
+  painter_of(painter).glyphs(ref(face), {cpp(fallback), fallback_count},
+      point_of(x_q6, y_q6), {cpp(glyphs), count});
 }
 
-void inkcell_glyph_box(const inkcell_font_t* font,
+void inkcell_glyph_box(const inkcell_painter_t* painter,
+                       const inkcell_font_t* font,
                        uint16_t glyph,
                        const inkcell_style_t* style,
                        int32_t x_q6,
                        int32_t y_q6,
                        inkcell_rect_t* out) {
-  ref(out) = Painter().glyph_box(ref(font), ref(style), point_of(x_q6, y_q6),
-      glyph);
+  ref(out) = painter_of(painter).glyph_box(ref(font), ref(style), point_of(x_q6,
+      y_q6), glyph);
 }
 
-void inkcell_box(const inkcell_font_t* font,
+void inkcell_box(const inkcell_painter_t* painter,
+                 const inkcell_font_t* font,
                  const char* text,
                  size_t size,
                  const inkcell_style_t* style,
                  int32_t x_q6,
                  int32_t y_q6,
                  inkcell_rect_t* out) {
-  ref(out) = Painter().box(ref(font), ref(style), point_of(x_q6, y_q6),
-      text_of(text, size));
+  ref(out) = painter_of(painter).box(ref(font), ref(style), point_of(x_q6,
+      y_q6), text_of(text, size));
 }
 
 void inkcell_bounding_box(const inkcell_rect_t* a,
@@ -80,32 +81,29 @@ void inkcell_bounding_box(const inkcell_rect_t* a,
   ref(out) = bounding_box(ref(a), ref(b));
 }
 
-inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
+inkcell_status_t inkcell_lay_out(const inkcell_painter_t* painter,
+                                 const inkcell_font_t* font,
                                  const char* text,
                                  size_t size,
                                  const inkcell_style_t* style,
                                  inkcell_positioned_glyph_t* out,
                                  size_t capacity,
                                  size_t* count) {
-  const Span<PositionedGlyph> room = {cpp(out), capacity};
-  const Text line = text_of(text, size);
   Span<const PositionedGlyph> glyphs;
-  const Status status = style == nullptr ? lay_out(ref(font), line, room,
-      glyphs)
-                                         : lay_out(ref(font), line, ref(style),
-      room, glyphs);
+  const Status status = painter_of(painter).lay_out(ref(font), ref(style),
+      text_of(text, size), {cpp(out), capacity}, glyphs);
   *count = glyphs.size;
   return code(status);
 }
 
-void inkcell_measure(const inkcell_font_t* font,
+void inkcell_measure(const inkcell_painter_t* painter,
+                     const inkcell_font_t* font,
                      const char* text,
                      size_t size,
                      const inkcell_style_t* style,
-                     inkcell_text_measure_t* out) {
-  const Text line = text_of(text, size);
-  ref(out) = style == nullptr ? measure(ref(font), line) : measure(ref(font),
-      line, ref(style));
+                     inkcell_pixel_measure_t* out) {
+  ref(out) = painter_of(painter).measure(ref(font), ref(style), text_of(text,
+      size));
 }
 
 int32_t inkcell_to_px(const inkcell_font_t* font,

@@ -33,24 +33,27 @@ int32_t inkcell_baseline(const inkcell_layout_options_t* options) {
 }
 
 bool inkcell_next_line(const inkcell_layout_options_t* options,
+                       const inkcell_painter_t* painter,
                        const char* text,
                        size_t size,
                        int32_t width_q6,
                        inkcell_text_line_t* line) {
-  return next_line(ref(options), text_of(text, size), Q26_6::from_raw(width_q6),
-      ref(line));
+  return next_line(ref(options), painter_of(painter), text_of(text, size),
+      Q26_6::from_raw(width_q6), ref(line));
 }
 
 void inkcell_shorten(const inkcell_layout_options_t* options,
+                     const inkcell_painter_t* painter,
                      const char* text,
                      size_t size,
                      int32_t width_q6,
                      inkcell_text_line_t* line) {
-  shorten(ref(options), text_of(text, size), Q26_6::from_raw(width_q6),
-      ref(line));
+  shorten(ref(options), painter_of(painter), text_of(text, size),
+      Q26_6::from_raw(width_q6), ref(line));
 }
 
 inkcell_status_t inkcell_lay_out_line(const inkcell_layout_options_t* options,
+                                      const inkcell_painter_t* painter,
                                       const char* text,
                                       size_t size,
                                       const inkcell_text_line_t* line,
@@ -59,8 +62,9 @@ inkcell_status_t inkcell_lay_out_line(const inkcell_layout_options_t* options,
                                       size_t capacity,
                                       size_t* count) {
   Span<const PositionedGlyph> glyphs;
-  const Status status = lay_out(ref(options), text_of(text, size), ref(line),
-      Q26_6::from_raw(width_q6), {cpp(out), capacity}, glyphs);
+  const Status status = lay_out(ref(options), painter_of(painter), text_of(text,
+      size), ref(line), Q26_6::from_raw(width_q6),
+      {cpp(out), capacity}, glyphs);
   *count = glyphs.size;
   return code(status);
 }

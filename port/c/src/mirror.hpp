@@ -71,9 +71,8 @@ inline Point point_of(int32_t x_q6, int32_t y_q6) noexcept {
   return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
 }
 
-inline Workspace workspace_of(const inkcell_workspace_t* ram) noexcept {
-  return ram == nullptr ? Workspace() : *cpp(ram);
-}
+/// That of a null pointer draws nothing. In painter_of.cpp.
+Painter painter_of(const inkcell_painter_t* painter) noexcept;
 
 static_assert(INKCELL_MAX_SPAN == kMaxSpan, "values differ");
 

@@ -30,14 +30,13 @@ size_t inkcell_outline_morph_workspace_bytes(const inkcell_font_t* font) {
 }
 
 void inkcell_outline_morph_draw(const inkcell_outline_morph_t* morph,
+                                const inkcell_painter_t* painter,
                                 const inkcell_style_t* style,
                                 int32_t x_q6,
                                 int32_t y_q6,
-                                int32_t progress_q16,
-                                const inkcell_sink_t* sink,
-                                const inkcell_workspace_t* ram) {
-  ref(morph).draw(Painter(ref(sink), workspace_of(ram)), ref(style),
-      point_of(x_q6, y_q6), Q16_16::from_raw(progress_q16));
+                                int32_t progress_q16) {
+  ref(morph).draw(painter_of(painter), ref(style), point_of(x_q6, y_q6),
+      Q16_16::from_raw(progress_q16));
 }
 
 void inkcell_outline_morph_box(const inkcell_outline_morph_t* morph,

@@ -70,20 +70,19 @@ int16_t inkcell_fit_bilevel_weight(const inkcell_fit_t* fit) {
 }
 
 void inkcell_style_set_fit(inkcell_style_t* style, const inkcell_fit_t* fit) {
-  ref(style).set_fitter(&kGridFit, cpp(fit));
+  ref(style).set_fit(ref(fit));
 }
 
 void inkcell_style_set_fit_heights(inkcell_style_t* style,
                                    const inkcell_fit_t* fit) {
-  ref(style).set_fitter(&kFitHeights, cpp(fit));
+  ref(style).set_fit(kFitHeights, cpp(fit));
 }
 
 void inkcell_style_fit_levels(inkcell_style_t* style, uint8_t levels) {
-  ref(style).set_fitter(levels == 2 ? &kFitTwoLevels : &kFitFourLevels,
-      nullptr);
+  ref(style).set_fit(levels == 2 ? kFitTwoLevels : kFitFourLevels, nullptr);
   ref(style).set_effect(levels == 2 ? detail::kTwoLevels : detail::kFourLevels);
 }
 
 void inkcell_style_clear_fit(inkcell_style_t* style) {
-  ref(style).set_fitter(nullptr, nullptr);
+  ref(style).clear_fit();
 }

@@ -143,6 +143,10 @@ struct CppOf<inkcell_fit_t> {
   using Type = Fit;
 };
 template <>
+struct CppOf<inkcell_text_report_t> {
+  using Type = TextReport;
+};
+template <>
 struct CppOf<inkcell_positioned_glyph_t> {
   using Type = PositionedGlyph;
 };
@@ -151,8 +155,8 @@ struct CppOf<inkcell_face_t> {
   using Type = Face;
 };
 template <>
-struct CppOf<inkcell_text_measure_t> {
-  using Type = TextMeasure;
+struct CppOf<inkcell_pixel_measure_t> {
+  using Type = PixelMeasure;
 };
 template <>
 struct CppOf<inkcell_prepared_glyph_t> {

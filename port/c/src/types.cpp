@@ -7,10 +7,11 @@ using namespace inkcell::c;
 
 const char* inkcell_status_name(inkcell_status_t status) {
   // Without pointers: nothing has to be relocated.
-  static constexpr char kNames[][13] = {
-      "ok",           "bad_magic",    "bad_version", "corrupt",
+  static constexpr char kNames[][14] = {
+      "ok",           "bad_magic",   "bad_version",  "corrupt",
       "no_glyph",     "buffer_small", "misaligned",  "unsupported",
-      "bad_argument", "beyond_band",  "read_failed", "unknown"};
+      "bad_argument", "beyond_band", "read_failed",  "cut",
+      "needs_shaping", "unknown"};
   constexpr uint8_t kUnknown = sizeof kNames / sizeof kNames[0] - 1;
   return kNames[status < kUnknown ? status : kUnknown];
 }

@@ -16,18 +16,16 @@ void inkcell_value_label_init(inkcell_value_label_t* value,
 }
 
 void inkcell_value_label_set(inkcell_value_label_t* value,
+                             const inkcell_painter_t* painter,
                              const char* text,
                              size_t size,
-                             const inkcell_sink_t* sink,
                              inkcell_rect_t* out) {
-  ref(out) = ref(value).set(text_of(text, size), sink == nullptr ? Painter() :
-      Painter(ref(sink)));
+  ref(out) = ref(value).set(text_of(text, size), painter_of(painter));
 }
 
 void inkcell_value_label_draw(const inkcell_value_label_t* value,
-                              const inkcell_sink_t* sink,
-                              const inkcell_workspace_t* ram) {
-  ref(value).draw(Painter(ref(sink), workspace_of(ram)));
+                              const inkcell_painter_t* painter) {
+  ref(value).draw(painter_of(painter));
 }
 
 const char* inkcell_number_text(int32_t value,

@@ -33,18 +33,19 @@ typedef struct screen_t {
 
 static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
   const screen_t* const screen = context;
-  const inkcell_workspace_t ram = {(uint8_t*)points, sizeof points};
   inkcell_rgb565_target_t target = {.strip = *strip, .colour = PAPER};
   inkcell_sink_t sink;
   const inkcell_status_t status = inkcell_rgb565_sink(&target, &sink);
   inkcell_fill(&sink);
   target.colour = INK;
-  inkcell_draw_text(&screen->font, ":", INKCELL_TERMINATED, &screen->style,
-                    INKCELL_Q6(144), INKCELL_Q6(BASELINE - 9), &sink, &ram);
+  const inkcell_painter_t painter = {.sink = &sink,
+                                     .ram = {(uint8_t*)points, sizeof points}};
+  inkcell_draw_text(&painter, &screen->font, ":", INKCELL_TERMINATED,
+                    &screen->style, INKCELL_Q6(144), INKCELL_Q6(BASELINE - 9));
   for (int i = 0; i < 4; ++i) {
-    inkcell_outline_morph_draw(&screen->digits[i], &screen->style,
+    inkcell_outline_morph_draw(&screen->digits[i], &painter, &screen->style,
                                INKCELL_Q6(digit_x[i]), INKCELL_Q6(BASELINE),
-                               screen->progress_q16, &sink, &ram);
+                               screen->progress_q16);
   }
   return status;
 }

@@ -43,15 +43,17 @@ static inkcell_status_t run(void) {
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &upper);
   box.options.align = INKCELL_ALIGN_CENTRE;
+  const inkcell_painter_t painter = {.sink = &sink};
   inkcell_text_box_draw(
-      &box, "Pump 2 is running dry. Close the valve and call the service.",
-      INKCELL_TERMINATED, &sink, NULL, NULL, 0);
+      &box, &painter,
+      "Pump 2 is running dry. Close the valve and call the service.",
+      INKCELL_TERMINATED, NULL, 0);
   TRY(inkcell_ssd1306_write(&display, &screen.strip));
 
   const inkcell_rect_t lower = {0, TOP, WIDTH, 64};
   inkcell_scrolling_label_t label;
   TRY(inkcell_scrolling_label_make(
-      &box.options, "Tank A 71 %, tank B 64 %, outside 21.5 C",
+      &box.options, &painter, "Tank A 71 %, tank B 64 %, outside 21.5 C",
       INKCELL_TERMINATED, &lower, glyphs, 64, &label));
   const int32_t length = inkcell_scrolling_label_width(&label) / 64 + GAP;
   uint8_t* const rows = pixels + TOP / 8 * WIDTH;
@@ -60,8 +62,8 @@ static inkcell_status_t run(void) {
   TRY(inkcell_mono_pages_sink(&line, &sink));
   for (int32_t scroll = 0;; scroll = (scroll + 1) % length) {
     memset(rows, 0, 2 * WIDTH);
-    inkcell_scrolling_label_draw_endless(&label, INKCELL_Q6(scroll),
-                                         INKCELL_Q6(GAP), &sink, NULL);
+    inkcell_scrolling_label_draw_endless(&label, &painter, INKCELL_Q6(scroll),
+                                         INKCELL_Q6(GAP));
     TRY(inkcell_ssd1306_write(&display, &line.strip));
     wait_ms(NULL, 30);
   }

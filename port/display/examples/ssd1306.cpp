@@ -68,8 +68,9 @@ static Status run() {
 
   Screen screen;
   screen.words = TextBox(font, style, {0, 0, kWidth, kTop}, Align::centre);
-  INKCELL_TRY(ScrollingLabel::make(screen.words.options, kNews,
-                                   {0, kTop, kWidth, 64}, glyphs, screen.news));
+  INKCELL_TRY(ScrollingLabel::make(screen.words.options, MonoPagesCanvas(),
+                                   kNews, {0, kTop, kWidth, 64}, glyphs,
+                                   screen.news));
   StripLoop loop = loop_over(display, rows);
   loop.context = &screen;
   loop.draw = draw;

@@ -34,14 +34,14 @@ static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
   inkcell_status_t status = inkcell_mono_rows_sink(&target, &sink);
   inkcell_fill(&sink);
   target.level = 0;  // black
-  inkcell_draw_text(&screen->font,
+  const inkcell_painter_t painter = {.sink = &sink};
+  inkcell_draw_text(&painter, &screen->font,
                     "Outside, in \xC2\xB0"
                     "C",
                     INKCELL_TERMINATED, &screen->label, INKCELL_Q6(10),
-                    INKCELL_Q6(40), &sink, NULL);
-  inkcell_draw_text(&screen->font, screen->value, INKCELL_TERMINATED,
-                    &screen->large, INKCELL_Q6(10), INKCELL_Q6(120), &sink,
-                    NULL);
+                    INKCELL_Q6(40));
+  inkcell_draw_text(&painter, &screen->font, screen->value, INKCELL_TERMINATED,
+                    &screen->large, INKCELL_Q6(10), INKCELL_Q6(120));
   return status;
 }
 
@@ -63,6 +63,8 @@ static inkcell_status_t run(void) {
   TRY(inkcell_ssd1680_init(&display));
   TRY(inkcell_style_make(INKCELL_Q6(20), &inkcell_filter_area, &screen.label));
   TRY(inkcell_style_make(INKCELL_Q6(72), &inkcell_filter_area, &screen.large));
+  inkcell_style_fit_levels(&screen.label, 2);  // of 1 bit, also where nothing
+  inkcell_style_fit_levels(&screen.large, 2);  // is drawn
   inkcell_strip_loop_t loop = {.buffer = pixels,
                                .size = sizeof pixels,
                                .format = INKCELL_MONO_ROWS,
@@ -75,8 +77,8 @@ static inkcell_status_t run(void) {
   for (uint32_t count = 0;; ++count) {
     screen.value = read_temperature();
     inkcell_rect_t box;
-    inkcell_box(&screen.font, screen.value, INKCELL_TERMINATED, &screen.large,
-                INKCELL_Q6(10), INKCELL_Q6(120), &box);
+    inkcell_box(NULL, &screen.font, screen.value, INKCELL_TERMINATED,
+                &screen.large, INKCELL_Q6(10), INKCELL_Q6(120), &box);
     const bool is_full = count % 100 == 0;
     inkcell_rect_t part;
     inkcell_bounding_box(&last, &box, &part);

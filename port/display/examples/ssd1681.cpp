@@ -71,7 +71,7 @@ static Status run() {
   loop.draw = draw;
   loop.flush = flush;
   for (uint32_t count = 0;; ++count) {
-    const Rect changed = screen.value.set(read_temperature());
+    const Rect changed = screen.value.set(read_temperature(), MonoRowsCanvas());
     const bool is_full = count % 100 == 0;
     screen.kind = is_full ? EpaperRefresh::full : EpaperRefresh::partial;
     INKCELL_TRY(is_full ? run_strips(loop) : run_strips(loop, changed));

@@ -34,11 +34,11 @@ static inkcell_status_t draw(void* context, const inkcell_strip_t* strip) {
   const inkcell_status_t status = inkcell_rgb565_sink(&target, &sink);
   inkcell_fill(&sink);
   target.colour = INK;
-  inkcell_draw_text(&screen->font,
-                    "\xEE\x80\x81 Living \xE5\xAE\xA2\xE5\x8E\x85",
-                    INKCELL_TERMINATED, &screen->label, INKCELL_Q6(16),
-                    INKCELL_Q6(48), &sink, NULL);
-  inkcell_value_label_draw(&screen->value, &sink, NULL);
+  const inkcell_painter_t painter = {.sink = &sink};
+  inkcell_draw_text(
+      &painter, &screen->font, "\xEE\x80\x81 Living \xE5\xAE\xA2\xE5\x8E\x85",
+      INKCELL_TERMINATED, &screen->label, INKCELL_Q6(16), INKCELL_Q6(48));
+  inkcell_value_label_draw(&screen->value, &painter);
   return status;
 }
 
@@ -74,13 +74,13 @@ static inkcell_status_t run(void) {
   inkcell_value_label_init(&screen.value, &screen.font, &screen.large,
                            INKCELL_Q6(16), INKCELL_Q6(150),
                            INKCELL_ANCHOR_LEFT);
-  inkcell_value_label_set(&screen.value, read_temperature(), INKCELL_TERMINATED,
-                          NULL, &changed);
+  inkcell_value_label_set(&screen.value, NULL, read_temperature(),
+                          INKCELL_TERMINATED, &changed);
   TRY(inkcell_run_strips(&loop, NULL));
   for (;;) {
     wait_ms(NULL, 1000);
-    inkcell_value_label_set(&screen.value, read_temperature(),
-                            INKCELL_TERMINATED, NULL, &changed);
+    inkcell_value_label_set(&screen.value, NULL, read_temperature(),
+                            INKCELL_TERMINATED, &changed);
     TRY(inkcell_run_strips(&loop, &changed));
   }
 }

@@ -65,11 +65,11 @@ static Status run() {
   StripLoop loop = loop_over(display, strips[0], strips[1]);
   loop.context = &screen;
   loop.draw = draw;
-  screen.value.set(read_temperature());
+  screen.value.set(read_temperature(), {});
   INKCELL_TRY(run_strips(loop));
   for (;;) {
     wait_ms(nullptr, 1000);
-    const Rect changed = screen.value.set(read_temperature());
+    const Rect changed = screen.value.set(read_temperature(), {});
     INKCELL_TRY(run_strips(loop, changed));
   }
 }

@@ -29,7 +29,7 @@ lv_result_t set_fit(inkcell_lv_font_t& font,
   if (Fit::make(state.font, state.style, options, fit) != Status::ok) {
     return LV_RESULT_INVALID;
   }
-  state.style.set_fitter(&fitter, &fit);
+  state.style.set_fit(fitter, &fit);
   return LV_RESULT_OK;
 }
 
@@ -107,7 +107,7 @@ void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
   Style& style = port::state_of(*font).style;
   Style weighted(style.size(), filter);
   if (style.is_fitted()) {
-    weighted.set_fitter(style.fitter(), style.fitter_options());
+    weighted.set_fit(*style.fitter(), style.fit_options());
   }
   if (style.effect() != nullptr) {
     weighted.set_effect(*style.effect());

@@ -162,8 +162,9 @@ static mp_obj_t font_text(size_t n_args,
   check(make_sink(strip, kind, args[colour].u_int, &target, &sink));
   size_t count;
   const char* const string = mp_obj_str_get_data(args[text].u_obj, &count);
-  inkcell_draw_text(&self->font, string, count, &look.style,
-                    px_q6(args[x].u_obj), px_q6(args[y].u_obj), &sink, NULL);
+  const inkcell_painter_t painter = {.sink = &sink};
+  inkcell_draw_text(&painter, &self->font, string, count, &look.style,
+                    px_q6(args[x].u_obj), px_q6(args[y].u_obj));
   return mp_const_none;
 }
 static MP_DEFINE_CONST_FUN_OBJ_KW(font_text_obj, 9, font_text);
@@ -175,11 +176,9 @@ static mp_obj_t font_width(size_t n_args, const mp_obj_t* args) {
   make_look(self, args[2], n_args < 4 || mp_obj_is_true(args[3]), false, &look);
   size_t count;
   const char* const string = mp_obj_str_get_data(args[1], &count);
-  inkcell_text_measure_t measure;
-  inkcell_measure(&self->font, string, count, &look.style, &measure);
-  const int32_t width_q6 =
-      inkcell_to_px(&self->font, &look.style, measure.advance);
-  return mp_obj_new_int((width_q6 + 63) / 64);
+  inkcell_pixel_measure_t measure;
+  inkcell_measure(NULL, &self->font, string, count, &look.style, &measure);
+  return mp_obj_new_int((measure.advance_q6 + 63) / 64);
 }
 static MP_DEFINE_CONST_FUN_OBJ_VAR_BETWEEN(font_width_obj, 3, 4, font_width);
 

@@ -67,7 +67,7 @@ Status open_sink(Strip& strip,
   out.solid = kind.solid;
   out.block = kind.block;
   out.ramp = kind.ramp;
-  out.adapt = kind.adapt;
+  out.levels = kind.levels;
   return status;
 }
 

@@ -4,6 +4,11 @@
 #include "packed_grey.hpp"
 
 namespace inkcell {
+namespace detail {
+// Null in a program that draws no glyphs: few_levels.hpp.
+extern __attribute__((weak)) const LevelRule kFourLevelRule;
+}  // namespace detail
+
 namespace port {
 namespace detail {
 
@@ -11,7 +16,7 @@ namespace {
 
 constexpr SinkKind kind_of_grey2() noexcept {
   SinkKind kind = kPackedGrey<Grey2Pixels, PixelFormat::grey2, 1>;
-  kind.adapt = inkcell::detail::adapt_to_four_levels;
+  kind.levels = &inkcell::detail::kFourLevelRule;
   return kind;
 }
 

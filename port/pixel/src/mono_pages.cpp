@@ -5,6 +5,11 @@
 #include "word.hpp"
 
 namespace inkcell {
+namespace detail {
+// Null in a program that draws no glyphs: few_levels.hpp.
+extern __attribute__((weak)) const LevelRule kTwoLevelRule;
+}  // namespace detail
+
 namespace port {
 
 namespace {
@@ -82,7 +87,7 @@ const detail::SinkKind detail::MonoPagesPixels::kKind = {
     nullptr,
     nullptr,
     layout_of(PixelFormat::mono_pages),
-    inkcell::detail::adapt_to_two_levels};
+    &inkcell::detail::kTwoLevelRule};
 
 }  // namespace port
 }  // namespace inkcell

@@ -4,6 +4,11 @@
 #include "packed.hpp"
 
 namespace inkcell {
+namespace detail {
+// Null in a program that draws no glyphs: few_levels.hpp.
+extern __attribute__((weak)) const LevelRule kTwoLevelRule;
+}  // namespace detail
+
 namespace port {
 
 namespace {
@@ -97,7 +102,7 @@ const detail::SinkKind detail::MonoRowsPixels::kKind = {
     nullptr,
     nullptr,
     layout_of(PixelFormat::mono_rows),
-    inkcell::detail::adapt_to_two_levels};
+    &inkcell::detail::kTwoLevelRule};
 
 }  // namespace port
 }  // namespace inkcell

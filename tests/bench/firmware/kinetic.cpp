@@ -96,8 +96,8 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
   box.height = px * 88 / 100;
   box.baseline = px * 81 / 100;
   box.scale_log2 = scale_log2;
-  kinetic::GlyphMorph morph(font, Q26_6::from_int(px), kFilterMotion, box, grid,
-                            lent);
+  kinetic::GlyphMorph morph(font, Q26_6::from_int(px), kFilterMotion, box,
+                            grid);
   Total frames;
   Total sets;
   uint32_t stack = 0;
@@ -107,8 +107,8 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
     const uint16_t to = font.glyph_or_notdef('0' + (digit + 1) % 10);
     // The first knows neither.
     Total first;
-    count([&] { status = morph.set(from, to); }, digit == 0 ? first : sets,
-          stack);
+    count([&] { status = morph.set(from, to, lent); },
+          digit == 0 ? first : sets, stack);
     if (status != Status::ok) {
       return false;
     }
@@ -119,7 +119,8 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
             for (int32_t y = 0; y < box.height; y += kRows) {
               morph.draw(
                   0, 0,
-                  port::A8Canvas({pixels, 0, y, box.width, kRows, box.width}));
+                  {port::A8Canvas({pixels, 0, y, box.width, kRows, box.width}),
+                   lent});
             }
           },
           frames, stack);

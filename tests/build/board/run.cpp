@@ -38,7 +38,7 @@ int main() {
   Screen whole;
   whole.words = TextBox(font, kText, {0, 0, kWidth, 30}, Align::centre);
   whole.value = ValueLabel(font, kLarge, {kWidth / 2, 58}, Anchor::centre);
-  whole.value.set(NumberText(235, 1));
+  whole.value.set(NumberText(235, 1), {});
   const Strip rows = {{wanted, sizeof wanted}, 0, 0, kWidth, kHeight, 64};
   int inked = 0;
   if (draw(&whole, rows) == Status::ok) {

@@ -10,11 +10,11 @@ static inkcell_fit_t fit;
 static FILE* out;
 
 static void draw(const inkcell_sink_t* sink, size_t bytes) {
-  inkcell_draw_text(&font,
+  const inkcell_painter_t painter = {.sink = sink};
+  inkcell_draw_text(&painter, &font,
                     "21.5 \xC2\xB0"
                     "C",
-                    INKCELL_TERMINATED, &style, INKCELL_Q6(4), INKCELL_Q6(30),
-                    sink, NULL);
+                    INKCELL_TERMINATED, &style, INKCELL_Q6(4), INKCELL_Q6(30));
   fwrite(pixels, 1, bytes, out);
   memset(pixels, 0, sizeof pixels);
 }

@@ -1,9 +1,9 @@
 // Turns one glyph into another by their distances.
 //
 //   GlyphMorph digit(font, size, kFilterMotion, memory);
-//   INKCELL_TRY(digit.set(four, five));
+//   INKCELL_TRY(digit.set(four, five, ram));
 //   digit.step(progress, scratch);
-//   for each strip:  digit.draw(x, y, sink);
+//   for each strip:  digit.draw(x, y, painter);
 //
 // Holes and strokes open and close by themselves. The area changes evenly, and
 // at both ends the picture is the plain glyph, bit by bit.
@@ -17,9 +17,9 @@
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
-#include "inkcell/strip.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -52,36 +52,35 @@ class GlyphMorph {
              Q26_6 size,
              const Filter& filter,
              const MorphBox& box,
-             Span<int8_t> grids,
-             Workspace workspace = {}) noexcept;
+             Span<int8_t> grids) noexcept;
   GlyphMorph(const Font&,
              Q26_6,
              const Filter&&,
              const MorphBox&,
-             Span<int8_t>,
-             Workspace = {}) = delete;
+             Span<int8_t>) = delete;
   GlyphMorph(const GlyphMorph&) = delete;
   GlyphMorph& operator=(const GlyphMorph&) = delete;
 
   /// Reads the distances of both glyphs, each centred in the box by its
-  /// advance. Progress becomes 0. A glyph that is already loaded costs nothing.
+  /// advance, faster with RAM that is lent for the call. Progress becomes 0. A
+  /// glyph that is already loaded costs nothing.
   ///
   /// buffer_small: fewer grid bytes than morph_bytes() of the box.
   /// bad_argument: the size does not fit the scale, see DistanceGrid::paint().
-  Status set(uint16_t from, uint16_t to) noexcept;
+  Status set(uint16_t from, uint16_t to, Workspace ram = {}) noexcept;
 
   /// Sets the progress, clamped to 0..1. Morphs may share `scratch`.
   void step(Q16_16 progress, GridHistogram& scratch) noexcept;
 
   /// Draws the box with its upper left corner at pixel (x, y). Glyphs are
   /// clipped to the box. If x or y is beyond +-32767 nothing is drawn.
-  void draw(int32_t x, int32_t y, const Sink& sink) const noexcept;
+  void draw(int32_t x, int32_t y, const Painter& painter) const noexcept;
 
   /// The same with another filter, for a weight, a glow or an outline.
   void draw(int32_t x,
             int32_t y,
             const Filter& filter,
-            const Sink& sink) const noexcept;
+            const Painter& painter) const noexcept;
 
   /// The pixels that it may touch.
   Rect box(int32_t x, int32_t y) const noexcept {
@@ -96,7 +95,7 @@ class GlyphMorph {
 
  private:
   Point origin_of(uint16_t glyph) const noexcept;
-  Status paint(uint16_t glyph, DistanceGrid& grid) noexcept;
+  Status paint(uint16_t glyph, Workspace ram, DistanceGrid& grid) noexcept;
 
   static constexpr uint16_t kNone = 0xffff;
 
@@ -104,7 +103,6 @@ class GlyphMorph {
   Q26_6 size_;
   const Filter& filter_;
   MorphBox box_;
-  Workspace workspace_;
   DistanceGrid grid_a_;
   DistanceGrid grid_b_;
   DistanceGrid between_;

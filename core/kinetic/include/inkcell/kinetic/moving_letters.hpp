@@ -10,7 +10,6 @@
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -68,7 +67,7 @@ class MovingLetters {
         motion_(motion) {}
 
   Rect at(int32_t now_ms) noexcept;
-  void draw(const Sink& sink) noexcept;
+  void draw(const Painter& painter) noexcept;
 
  private:
   PosedGlyph posed(size_t index, int32_t now_ms) const noexcept;

@@ -5,7 +5,7 @@
 //     const int32_t time = now - delay_of(stagger, i, run.glyphs.size);
 //     posed[i] = place(font, run, i, where, pose_at(keys, time));
 //   }
-//   for each strip:  renderer.draw(posed, sink);
+//   for each strip:  renderer.draw(posed, painter);
 #pragma once
 
 #include <stdint.h>
@@ -14,10 +14,9 @@
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/pose.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
-#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -26,18 +25,12 @@ namespace kinetic {
 /// that it refers to must outlive it. Not thread-safe: each task needs its own.
 class PoseRenderer {
  public:
-  /// `size` is for glyphs of scale 1, 4 to 1024 px to the em. The workspace
-  /// speeds up large glyphs and does not change the picture.
+  /// `size` is for glyphs of scale 1, 4 to 1024 px to the em.
   PoseRenderer(const Font& font,
                Q26_6 size,
-               const Filter& filter = kFilterMotion,
-               Workspace workspace = {}) noexcept
-      : font_(font),
-        size_(size),
-        filter_(filter),
-        workspace_(workspace),
-        style_(size, filter) {}
-  PoseRenderer(const Font&, Q26_6, const Filter&&, Workspace = {}) = delete;
+               const Filter& filter = kFilterMotion) noexcept
+      : font_(font), size_(size), filter_(filter), style_(size, filter) {}
+  PoseRenderer(const Font&, Q26_6, const Filter&&) = delete;
   PoseRenderer(const PoseRenderer&) = delete;
   PoseRenderer& operator=(const PoseRenderer&) = delete;
 
@@ -52,7 +45,7 @@ class PoseRenderer {
   ///
   /// Costs what the core needs; about 400 instructions for a glyph outside of
   /// the sink's window.
-  void draw(Span<const PosedGlyph> glyphs, const Sink& sink) noexcept;
+  void draw(Span<const PosedGlyph> glyphs, const Painter& painter) noexcept;
 
   /// The pixels that a glyph may touch; empty if it is not drawn.
   Rect box(const PosedGlyph& glyph) const noexcept;
@@ -74,7 +67,6 @@ class PoseRenderer {
   const Font& font_;
   Q26_6 size_;
   const Filter& filter_;
-  Workspace workspace_;
   Filter weighted_;
   Style style_;
 };

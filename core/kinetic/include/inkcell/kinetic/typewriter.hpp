@@ -13,8 +13,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Text that is typed letter by letter, with a caret that blinks at rest. For
-/// canvases of 1 and 2 bits give at() the painter that draws.
+/// Text that is typed letter by letter, with a caret that blinks at rest.
 class Typewriter {
  public:
   Typewriter(const Font& font,
@@ -27,8 +26,9 @@ class Typewriter {
         text_(text),
         letter_ms_(letter_ms < 1 ? 1 : letter_ms) {}
 
-  /// No letter before 0 ms. To erase, go back in time.
-  Rect at(int32_t now_ms, const Painter& painter = {}) noexcept;
+  /// No letter before 0 ms. To erase, go back in time. The painter is like the
+  /// one that draws: as in ValueLabel::set().
+  Rect at(int32_t now_ms, const Painter& painter) noexcept;
   void draw(const Painter& painter) const noexcept;
   int32_t next_due(int32_t now_ms) const noexcept;
 

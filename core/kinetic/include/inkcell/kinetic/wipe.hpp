@@ -30,7 +30,8 @@ class Wipe {
         timing_(timing),
         kind_(kind) {}
 
-  Rect at(int32_t now_ms, const Painter& painter = {}) noexcept;
+  /// The painter is like the one that draws: as in ValueLabel::set().
+  Rect at(int32_t now_ms, const Painter& painter) noexcept;
   void draw(const Painter& painter) const noexcept;
   int32_t next_due(int32_t now_ms) const noexcept {
     return kinetic::next_due(timing_, now_ms);

@@ -2,17 +2,16 @@
 //
 //   PositionedGlyph room[64];
 //   ScrollingLabel label;
-//   INKCELL_TRY(ScrollingLabel::make(options, "Now playing: ...",
+//   INKCELL_TRY(ScrollingLabel::make(options, painter, "Now playing: ...",
 //                                    {0, 0, 128, 16}, room, label));
-//   label.draw(scroll, sink);  // scroll: any number of px
+//   label.draw(scroll, painter);  // scroll: any number of px
 #pragma once
 
 #include <stdint.h>
 
 #include "inkcell/geometry.hpp"
 #include "inkcell/layout/layout.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/workspace.hpp"
+#include "inkcell/painter.hpp"
 
 namespace inkcell {
 
@@ -23,11 +22,13 @@ class ScrollingLabel {
   constexpr ScrollingLabel() noexcept = default;
 
   /// Lays out the first line of a text, of any length, in the middle of the
-  /// height of `window`. `room`: a glyph for each byte always suffices.
+  /// height of `window`. The painter is like the one that draws: as in TextBox.
+  /// `room`: a glyph for each byte always suffices.
   ///
   /// buffer_small: there are more glyphs. bad_argument: the text is longer than
   /// kMaxLineBytes. `out` is then untouched.
   static Status make(const LayoutOptions& options,
+                     const Painter& painter,
                      Text text,
                      const Rect& window,
                      Span<PositionedGlyph> room,
@@ -42,22 +43,18 @@ class ScrollingLabel {
   /// Draws the line moved to the left by `scroll`. Finds the glyphs in the
   /// window by a binary search: the time does not depend on the others. Cuts
   /// ink at the window, unless the line fits and is not moved.
-  void draw(Q26_6 scroll,
-            const Sink& sink,
-            Workspace workspace = {}) const noexcept;
+  void draw(Q26_6 scroll, const Painter& painter) const noexcept;
 
   /// The same for a line that follows itself without end, `gap` px behind: any
   /// scroll is taken by the sum of both.
   void draw_endless(Q26_6 scroll,
                     Q26_6 gap,
-                    const Sink& sink,
-                    Workspace workspace = {}) const noexcept;
+                    const Painter& painter) const noexcept;
 
  private:
   void draw_in(const Rect& clip,
                Q26_6 scroll,
-               const Sink& sink,
-               Workspace workspace) const noexcept;
+               const Painter& painter) const noexcept;
   size_t first_from(int32_t x) const noexcept;
 
   Face face_;

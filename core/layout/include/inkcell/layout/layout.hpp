@@ -9,6 +9,7 @@
 
 #include "inkcell/layout/bidi.hpp"
 #include "inkcell/layout/line_break.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/text.hpp"
 
@@ -109,11 +110,13 @@ struct TextLine {
 
 /// Finds the line that follows `line`, and the first one if that is new, in
 /// `width` px. A text has a line more than line feeds. False after the last.
-/// A line holds one character at least, and at most kMaxLineBytes.
+/// A line holds one character at least, and at most kMaxLineBytes. The painter
+/// is like the one that draws: as in TextBox.
 ///
 ///   TextLine line;
-///   while (next_line(options, text, width, line)) { ... }
+///   while (next_line(options, painter, text, width, line)) { ... }
 bool next_line(const LayoutOptions& options,
+               const Painter& painter,
                Text text,
                Q26_6 width,
                TextLine& line) noexcept;
@@ -121,17 +124,19 @@ bool next_line(const LayoutOptions& options,
 /// Ends a line with an ellipsis, though its text goes on, and takes away what
 /// leaves no room for that.
 void shorten(const LayoutOptions& options,
+             const Painter& painter,
              Text text,
              Q26_6 width,
              TextLine& line) noexcept;
 
 /// Glyphs of a line from left to right, aligned in `width` px, from its left
-/// end. Draw them with Painter::glyphs(options.face, options.fallback, ...).
+/// end. Draw them with painter.glyphs(options.face, options.fallback, ...).
 /// Blanks have none.
 ///
 /// buffer_small: `out` was too short; `glyphs` is untouched. line.length + 4
 /// always suffice.
 Status lay_out(const LayoutOptions& options,
+               const Painter& painter,
                Text text,
                const TextLine& line,
                Q26_6 width,

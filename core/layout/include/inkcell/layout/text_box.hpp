@@ -1,7 +1,7 @@
 // Text in a rectangle: wrapped, aligned, shortened; with carets and hit tests.
 //
 //   TextBox box(font, style, {8, 8, 232, 120}, Align::centre);
-//   box.draw("A paragraph that wraps.", sink);
+//   box.draw("A paragraph that wraps.", painter);
 //
 // Upright text only: the style must not be turned.
 #pragma once
@@ -11,8 +11,7 @@
 
 #include "inkcell/geometry.hpp"
 #include "inkcell/layout/layout.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/workspace.hpp"
+#include "inkcell/painter.hpp"
 
 namespace inkcell {
 
@@ -45,18 +44,22 @@ struct TextSize {
 ///
 ///   TextLine room[6];
 ///   Span<const TextLine> lines;
-///   INKCELL_TRY(box.lay_out(text, room, lines));
-///   box.draw(text, sink, workspace, lines);  // for each strip
+///   INKCELL_TRY(box.lay_out(text, painter, room, lines));
+///   box.draw(text, painter, lines);  // for each strip
 ///
-/// `lines` must then be what lay_out() made of the same text, options and
-/// width.
+/// `lines` must then be what lay_out() made of the same text, options, width
+/// and kind of canvas. Wherever nothing is drawn, the window of the painter's
+/// sink does not matter: Painter() will do, but for canvases of 1 and 2 bits,
+/// whose text is fitted.
 struct TextBox {
   LayoutOptions options;
   /// Where lines stand on the screen, within +-32767 px. Ink may overhang it,
   /// as that of swashes and of accents over the first line; lines that are
   /// wholly above or below it are not drawn.
   Rect rect;
-  /// What is outside of it is cut off; by default nothing is.
+  /// What is outside of it is cut off; by default nothing is. Empty, as in a
+  /// static object whose constructor was not run, it is a mistake: assertions
+  /// end the program, a report says bad_argument.
   Rect clip = {-32767, -32767, 32767, 32767};
   VerticalAlign vertical = VerticalAlign::top;
 
@@ -75,28 +78,30 @@ struct TextBox {
   /// the box has room for, at least one; the last one then shows that there is
   /// more. buffer_small: there are more than `out` holds; `lines` is untouched.
   Status lay_out(Text text,
+                 const Painter& painter,
                  Span<TextLine> out,
                  Span<const TextLine>& lines) const noexcept;
 
-  /// Draws the lines that meet the sink's window. Cannot fail: it clips. On
-  /// canvases of 1 and 2 bits it fits the first face, as Painter does, unless
-  /// `lines` are given. The other functions know no canvas: give them a style
-  /// of its style().
+  /// Draws the lines that meet the sink's window. Cannot fail: it clips.
   void draw(Text text,
-            const Sink& sink,
-            Workspace workspace = {},
+            const Painter& painter,
             Span<const TextLine> lines = {}) const noexcept;
 
   /// The pixels that draw() may touch: the ink with filter, fitting and effect,
   /// and how far it overhangs `rect`. Empty if nothing shows.
-  Rect box(Text text, Span<const TextLine> lines = {}) const noexcept;
+  Rect box(Text text,
+           const Painter& painter,
+           Span<const TextLine> lines = {}) const noexcept;
 
   /// The advances. A rectangle of that size cuts nothing.
-  TextSize measure(Text text, Span<const TextLine> lines = {}) const noexcept;
+  TextSize measure(Text text,
+                   const Painter& painter,
+                   Span<const TextLine> lines = {}) const noexcept;
 
   /// The caret nearest to the middle of a pixel: in the line at its height, or
   /// the first or last one.
   TextPlace hit(Text text,
+                const Painter& painter,
                 int32_t x,
                 int32_t y,
                 Span<const TextLine> lines = {}) const noexcept;
@@ -107,6 +112,7 @@ struct TextBox {
   /// beginning; those that an ellipsis hides, the ellipsis; those of spaces
   /// where a line ends, its end.
   Rect caret(Text text,
+             const Painter& painter,
              TextPlace place,
              Span<const TextLine> lines = {}) const noexcept;
 };

@@ -3,6 +3,10 @@
 //   static uint64_t ram[256];  // ten digits of 32 px
 //   inkcell_glyph_cache_t cache;
 //   inkcell_glyph_cache_make(ram, sizeof ram, NULL, &cache);
+//   const inkcell_painter_t painter = {.sink = &sink, .cache = &cache};
+//
+// Glyphs are drawn at the nearest place. Filters, fits, effects and fonts are
+// compared by address: clear the cache before one changes.
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
@@ -48,40 +52,6 @@ inkcell_status_t inkcell_glyph_cache_make(
     size_t size,
     const inkcell_glyph_cache_options_t* options,
     inkcell_glyph_cache_t* out);
-
-/// As the functions of draw.h, with each glyph at the nearest place. Filters,
-/// fits, effects and fonts are compared by address: clear the cache before one
-/// changes.
-void inkcell_glyph_cache_draw_text(inkcell_glyph_cache_t* cache,
-                                   const inkcell_font_t* font,
-                                   const char* text,
-                                   size_t size,
-                                   const inkcell_style_t* style,
-                                   int32_t x_q6,
-                                   int32_t y_q6,
-                                   const inkcell_sink_t* sink,
-                                   const inkcell_workspace_t* ram);
-
-void inkcell_glyph_cache_draw_glyphs(inkcell_glyph_cache_t* cache,
-                                     const inkcell_font_t* font,
-                                     const inkcell_positioned_glyph_t* glyphs,
-                                     size_t count,
-                                     const inkcell_style_t* style,
-                                     int32_t x_q6,
-                                     int32_t y_q6,
-                                     const inkcell_sink_t* sink,
-                                     const inkcell_workspace_t* ram);
-
-void inkcell_glyph_cache_draw_faces(inkcell_glyph_cache_t* cache,
-                                    const inkcell_face_t* face,
-                                    const inkcell_face_t* fallback,
-                                    size_t fallback_count,
-                                    const inkcell_positioned_glyph_t* glyphs,
-                                    size_t count,
-                                    int32_t x_q6,
-                                    int32_t y_q6,
-                                    const inkcell_sink_t* sink,
-                                    const inkcell_workspace_t* ram);
 
 /// Forgets all glyphs. Counters stay.
 void inkcell_glyph_cache_clear(inkcell_glyph_cache_t* cache);

@@ -2,8 +2,7 @@
 //
 // (x_q6, y_q6) is the origin on the screen, the left end of the baseline, in
 // px, y down. Text is UTF-8, any bytes; a size of INKCELL_TERMINATED: up to its
-// zero byte. `ram` may be null: drawing then takes 1.6 KB of stack. Drawing
-// clips to the sink's window and cannot fail.
+// zero byte. Drawing clips to the sink's window and cannot fail.
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once
@@ -16,6 +15,40 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/// What becomes of characters that fonts lack, and how texts went:
+/// inkcell/text_report.hpp. Make it with inkcell_text_report_init(), then
+/// change what shall be different.
+typedef struct INKCELL_SHARED inkcell_text_report_t {
+  /// INKCELL_BOX, INKCELL_NOTHING, or a code point that is drawn instead.
+  uint32_t instead;
+  /// Null, or asked first: another code point for one that is missing.
+  uint32_t (*substitute)(uint32_t code_point);
+  uint32_t missing;         // characters; set it to 0 to count anew
+  uint32_t first_missing;   // code point
+  inkcell_status_t status;  // the first that was not INKCELL_OK
+  void (*replace)(void);    // the library's own
+} inkcell_text_report_t;
+#define INKCELL_BOX UINT32_MAX
+#define INKCELL_NOTHING (UINT32_MAX - 1)
+void inkcell_text_report_init(inkcell_text_report_t* report);
+
+/// The one door of text, as in inkcell/painter.hpp: a sink and, where they are
+/// not null, RAM that is lent, a cache, and a report. Whatever measures or
+/// draws text takes one; text is fitted for sinks of 1 and 2 bits, so that it
+/// is measured as it is drawn.
+///
+///   const inkcell_painter_t painter = {.sink = &sink};
+///
+/// Null in its place is a painter that draws nothing: for boxes and measures
+/// where no sink has 1 or 2 bits.
+typedef struct inkcell_painter_t {
+  const inkcell_sink_t* sink;
+  inkcell_workspace_t ram;  // all 0: drawing takes 1.6 KB of stack
+  const struct inkcell_glyph_cache_t* cache;
+  inkcell_text_report_t* report;
+} inkcell_painter_t;
+
 
 /// A glyph of a run. Font units, y up, from the run's origin on the baseline.
 typedef struct INKCELL_SHARED inkcell_positioned_glyph_t {
@@ -32,61 +65,58 @@ typedef struct INKCELL_SHARED inkcell_face_t {
   const inkcell_style_t* style;
 } inkcell_face_t;
 
-/// Width and ink of a line in font units, y up, from its origin. The ink box is
-/// empty if x_max <= x_min.
-typedef struct INKCELL_SHARED inkcell_text_measure_t {
-  int32_t advance;
-  int32_t x_min;
-  int32_t y_min;
-  int32_t x_max;
-  int32_t y_max;
-} inkcell_text_measure_t;
+/// Width and ink of a line from its origin, y down, before the style turns it.
+/// [px, Q6]
+typedef struct INKCELL_SHARED inkcell_pixel_measure_t {
+  int32_t advance_q6;
+  int32_t left_q6;
+  int32_t top_q6;
+  int32_t right_q6;
+  int32_t bottom_q6;
+} inkcell_pixel_measure_t;
 
-/// Lays out and draws one line with the advances of the style.
-void inkcell_draw_text(const inkcell_font_t* font,
+/// Lays out and draws one line.
+void inkcell_draw_text(const inkcell_painter_t* painter,
+                       const inkcell_font_t* font,
                        const char* text,
                        size_t size,
                        const inkcell_style_t* style,
                        int32_t x_q6,
-                       int32_t y_q6,
-                       const inkcell_sink_t* sink,
-                       const inkcell_workspace_t* ram);
+                       int32_t y_q6);
 
 /// Draws one glyph by its id.
-void inkcell_draw_glyph(const inkcell_font_t* font,
+void inkcell_draw_glyph(const inkcell_painter_t* painter,
+                        const inkcell_font_t* font,
                         uint16_t glyph,
                         const inkcell_style_t* style,
                         int32_t x_q6,
-                        int32_t y_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram);
+                        int32_t y_q6);
 
 /// Draws `count` glyphs that are laid out, along the style's direction. For a
 /// screen in many strips: lay out once, draw for each.
-void inkcell_draw_glyphs(const inkcell_font_t* font,
+void inkcell_draw_glyphs(const inkcell_painter_t* painter,
+                         const inkcell_font_t* font,
                          const inkcell_positioned_glyph_t* glyphs,
                          size_t count,
                          const inkcell_style_t* style,
                          int32_t x_q6,
-                         int32_t y_q6,
-                         const inkcell_sink_t* sink,
-                         const inkcell_workspace_t* ram);
+                         int32_t y_q6);
 
 /// The same for runs of several fonts. Positions are in units of `face`;
 /// `fallback`, of `fallback_count`, has the faces of other glyphs.
-void inkcell_draw_faces(const inkcell_face_t* face,
+void inkcell_draw_faces(const inkcell_painter_t* painter,
+                        const inkcell_face_t* face,
                         const inkcell_face_t* fallback,
                         size_t fallback_count,
                         const inkcell_positioned_glyph_t* glyphs,
                         size_t count,
                         int32_t x_q6,
-                        int32_t y_q6,
-                        const inkcell_sink_t* sink,
-                        const inkcell_workspace_t* ram);
+                        int32_t y_q6);
 
 /// The pixels that inkcell_draw_glyph() may touch, with filter, fitting and
 /// effect, whatever the window is; empty if the glyph shows nothing.
-void inkcell_glyph_box(const inkcell_font_t* font,
+void inkcell_glyph_box(const inkcell_painter_t* painter,
+                       const inkcell_font_t* font,
                        uint16_t glyph,
                        const inkcell_style_t* style,
                        int32_t x_q6,
@@ -94,7 +124,8 @@ void inkcell_glyph_box(const inkcell_font_t* font,
                        inkcell_rect_t* out);
 
 /// The same of inkcell_draw_text().
-void inkcell_box(const inkcell_font_t* font,
+void inkcell_box(const inkcell_painter_t* painter,
+                 const inkcell_font_t* font,
                  const char* text,
                  size_t size,
                  const inkcell_style_t* style,
@@ -109,11 +140,12 @@ void inkcell_bounding_box(const inkcell_rect_t* a,
 
 /// Positions of all glyphs of one line, into `out`, which has room for
 /// `capacity`; as many as the text has bytes always suffice. `count` glyphs are
-/// there. With `style`, which may be null: with its advances.
+/// there.
 ///
 /// BUFFER_SMALL: more than `capacity`; BAD_ARGUMENT: the text is longer than
 /// 65,535 bytes. `count` is then 0.
-inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
+inkcell_status_t inkcell_lay_out(const inkcell_painter_t* painter,
+                                 const inkcell_font_t* font,
                                  const char* text,
                                  size_t size,
                                  const inkcell_style_t* style,
@@ -121,12 +153,13 @@ inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
                                  size_t capacity,
                                  size_t* count);
 
-/// Measures one line, of a style or, if that is null, as designed.
-void inkcell_measure(const inkcell_font_t* font,
+/// Measures one line, with the advances that inkcell_draw_text() takes.
+void inkcell_measure(const inkcell_painter_t* painter,
+                     const inkcell_font_t* font,
                      const char* text,
                      size_t size,
                      const inkcell_style_t* style,
-                     inkcell_text_measure_t* out);
+                     inkcell_pixel_measure_t* out);
 
 /// A length in font units at a style's size. [px, Q6, to the nearest]
 int32_t inkcell_to_px(const inkcell_font_t* font,

@@ -19,7 +19,7 @@ extern "C" {
 /// A view of a font in read-only memory, which must outlive it. Opaque. Empty,
 /// it has no glyphs.
 typedef struct INKCELL_SHARED inkcell_font_t {
-  const void* words[14];
+  const void* words[15];
   uint32_t numbers[4];
 } inkcell_font_t;
 

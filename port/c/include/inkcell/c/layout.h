@@ -106,8 +106,9 @@ typedef struct INKCELL_SHARED inkcell_text_line_t {
 /// that is all 0. False after the last; a text has a line more than line feeds.
 ///
 ///   inkcell_text_line_t line = {0};
-///   while (inkcell_next_line(&options, text, size, width_q6, &line)) { ... }
+///   while (inkcell_next_line(&options, &painter, text, size, width_q6, &line)) { ... }
 bool inkcell_next_line(const inkcell_layout_options_t* options,
+                       const inkcell_painter_t* painter,
                        const char* text,
                        size_t size,
                        int32_t width_q6,
@@ -115,6 +116,7 @@ bool inkcell_next_line(const inkcell_layout_options_t* options,
 
 /// Ends a line with an ellipsis, though its text goes on.
 void inkcell_shorten(const inkcell_layout_options_t* options,
+                     const inkcell_painter_t* painter,
                      const char* text,
                      size_t size,
                      int32_t width_q6,
@@ -124,6 +126,7 @@ void inkcell_shorten(const inkcell_layout_options_t* options,
 /// inkcell_draw_faces() with the faces of `options`. BUFFER_SMALL: more than
 /// `capacity`; `count` is then 0. line->length + 4 always suffice.
 inkcell_status_t inkcell_lay_out_line(const inkcell_layout_options_t* options,
+                                      const inkcell_painter_t* painter,
                                       const char* text,
                                       size_t size,
                                       const inkcell_text_line_t* line,

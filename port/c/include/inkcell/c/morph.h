@@ -39,14 +39,13 @@ int32_t inkcell_outline_morph_advance(const inkcell_outline_morph_t* morph,
 size_t inkcell_outline_morph_workspace_bytes(const inkcell_font_t* font);
 
 /// Draws the glyph with its origin at (x_q6, y_q6); nothing between the ends if
-/// `ram` is too small.
+/// the painter's RAM is too small.
 void inkcell_outline_morph_draw(const inkcell_outline_morph_t* morph,
+                                const inkcell_painter_t* painter,
                                 const inkcell_style_t* style,
                                 int32_t x_q6,
                                 int32_t y_q6,
-                                int32_t progress_q16,
-                                const inkcell_sink_t* sink,
-                                const inkcell_workspace_t* ram);
+                                int32_t progress_q16);
 
 /// The pixels that it may touch.
 void inkcell_outline_morph_box(const inkcell_outline_morph_t* morph,

@@ -31,32 +31,31 @@ typedef struct INKCELL_SHARED inkcell_shaped_run_t {
 } inkcell_shaped_run_t;
 
 /// Positions of all glyphs of a run, into `out`, which has room for `capacity`.
-/// `count` glyphs are there. With `style`, which may be null: with its
-/// advances.
+/// `count` glyphs are there.
 ///
 /// BUFFER_SMALL: the run has more than `capacity`; `count` is then 0.
-inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
+inkcell_status_t inkcell_lay_out_shaped(const inkcell_painter_t* painter,
+                                        const inkcell_font_t* font,
                                         const inkcell_shaped_run_t* run,
                                         const inkcell_style_t* style,
                                         inkcell_positioned_glyph_t* out,
                                         size_t capacity,
                                         size_t* count);
 
-/// Width and ink of a run, of a style or, if that is null, as designed.
-void inkcell_measure_shaped(const inkcell_font_t* font,
+/// Width and ink of a run.
+void inkcell_measure_shaped(const inkcell_painter_t* painter,
+                            const inkcell_font_t* font,
                             const inkcell_shaped_run_t* run,
                             const inkcell_style_t* style,
-                            inkcell_text_measure_t* out);
+                            inkcell_pixel_measure_t* out);
 
-/// Draws a run with the left end of its baseline at (x_q6, y_q6) and with the
-/// advances of the style. `ram` may be null.
-void inkcell_draw_shaped(const inkcell_font_t* font,
+/// Draws a run with the left end of its baseline at (x_q6, y_q6).
+void inkcell_draw_shaped(const inkcell_painter_t* painter,
+                         const inkcell_font_t* font,
                          const inkcell_shaped_run_t* run,
                          const inkcell_style_t* style,
                          int32_t x_q6,
-                         int32_t y_q6,
-                         const inkcell_sink_t* sink,
-                         const inkcell_workspace_t* ram);
+                         int32_t y_q6);
 
 #ifdef __cplusplus
 }

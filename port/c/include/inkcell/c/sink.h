@@ -58,7 +58,7 @@ typedef struct INKCELL_SHARED inkcell_sink_t {
                        int32_t count);
   /// As `block`, these two.
   void (*ramp)(void);
-  void (*adapt)(void);
+  void (*levels)(void);
 } inkcell_sink_t;
 
 #ifdef __cplusplus

@@ -11,7 +11,6 @@
 #pragma once
 
 #include "inkcell/c/layout.h"
-#include "inkcell/c/sink.h"
 #include "inkcell/c/types.h"
 
 #ifdef __cplusplus
@@ -57,23 +56,24 @@ void inkcell_text_box_init(inkcell_text_box_t* box,
 /// Finds the lines that are drawn, with an ellipsis no more than there is room
 /// for. BUFFER_SMALL: there are more than `capacity`; `count` is then 0.
 inkcell_status_t inkcell_text_box_lay_out(const inkcell_text_box_t* box,
+                                          const inkcell_painter_t* painter,
                                           const char* text,
                                           size_t size,
                                           inkcell_text_line_t* out,
                                           size_t capacity,
                                           size_t* count);
 
-/// Draws the lines that meet the sink's window. `ram` may be null.
+/// Draws the lines that meet the sink's window.
 void inkcell_text_box_draw(const inkcell_text_box_t* box,
+                           const inkcell_painter_t* painter,
                            const char* text,
                            size_t size,
-                           const inkcell_sink_t* sink,
-                           const inkcell_workspace_t* ram,
                            const inkcell_text_line_t* lines,
                            size_t line_count);
 
 /// The pixels that inkcell_text_box_draw() may touch; empty if nothing shows.
 void inkcell_text_box_box(const inkcell_text_box_t* box,
+                          const inkcell_painter_t* painter,
                           const char* text,
                           size_t size,
                           const inkcell_text_line_t* lines,
@@ -82,6 +82,7 @@ void inkcell_text_box_box(const inkcell_text_box_t* box,
 
 /// The advances: a rectangle of that size cuts nothing.
 void inkcell_text_box_measure(const inkcell_text_box_t* box,
+                              const inkcell_painter_t* painter,
                               const char* text,
                               size_t size,
                               const inkcell_text_line_t* lines,
@@ -91,6 +92,7 @@ void inkcell_text_box_measure(const inkcell_text_box_t* box,
 /// The caret nearest to the middle of a pixel: in the line at its height, or
 /// the first or last one.
 void inkcell_text_box_hit(const inkcell_text_box_t* box,
+                          const inkcell_painter_t* painter,
                           const char* text,
                           size_t size,
                           int32_t x,
@@ -101,6 +103,7 @@ void inkcell_text_box_hit(const inkcell_text_box_t* box,
 
 /// The caret at a place: a column as high as the line.
 void inkcell_text_box_caret(const inkcell_text_box_t* box,
+                            const inkcell_painter_t* painter,
                             const char* text,
                             size_t size,
                             const inkcell_text_place_t* place,
@@ -122,6 +125,7 @@ typedef struct INKCELL_SHARED inkcell_scrolling_label_t {
 /// than 65,535 bytes.
 inkcell_status_t inkcell_scrolling_label_make(
     const inkcell_layout_options_t* options,
+    const inkcell_painter_t* painter,
     const char* text,
     size_t size,
     const inkcell_rect_t* window,
@@ -136,19 +140,17 @@ int32_t inkcell_scrolling_label_width(const inkcell_scrolling_label_t* label);
 bool inkcell_scrolling_label_needs_scrolling(
     const inkcell_scrolling_label_t* label);
 
-/// Draws the line moved to the left by `scroll_q6` px. `ram` may be null.
+/// Draws the line moved to the left by `scroll_q6` px.
 void inkcell_scrolling_label_draw(const inkcell_scrolling_label_t* label,
-                                  int32_t scroll_q6,
-                                  const inkcell_sink_t* sink,
-                                  const inkcell_workspace_t* ram);
+                                  const inkcell_painter_t* painter,
+                                  int32_t scroll_q6);
 
 /// The same for a line that follows itself without end, `gap_q6` px behind.
 void inkcell_scrolling_label_draw_endless(
     const inkcell_scrolling_label_t* label,
+    const inkcell_painter_t* painter,
     int32_t scroll_q6,
-    int32_t gap_q6,
-    const inkcell_sink_t* sink,
-    const inkcell_workspace_t* ram);
+    int32_t gap_q6);
 
 #ifdef __cplusplus
 }

@@ -29,7 +29,9 @@ enum {
   INKCELL_UNSUPPORTED = 7,   // a coding or effect that is not there
   INKCELL_BAD_ARGUMENT = 8,  // outside the range that the call states
   INKCELL_BEYOND_BAND = 9,   // farther than the font's distances reach
-  INKCELL_READ_FAILED = 10   // the storage of a font did not give its bytes
+  INKCELL_READ_FAILED = 10,  // the storage of a font did not give its bytes
+  INKCELL_CUT = 11,          // a text was longer than what takes it
+  INKCELL_NEEDS_SHAPING = 12  // letters that are to be joined were not
 };
 
 /// Evaluates a call once and returns its status unless that is INKCELL_OK.

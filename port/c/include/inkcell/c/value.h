@@ -35,18 +35,17 @@ void inkcell_value_label_init(inkcell_value_label_t* value,
 
 /// Copies a text, cut after a whole character. `out` has the pixels of the old
 /// and of the new one, to draw and to send; it is empty if the text is the
-/// same. `sink` is null, or one of the 1 or 2 bits that text is fitted for: its
-/// window and its strip do not matter.
+/// same. `painter` is like the one that draws: of a sink of 1 or 2 bits, of
+/// which window and strip do not matter, or with a cache; else null.
 void inkcell_value_label_set(inkcell_value_label_t* value,
+                             const inkcell_painter_t* painter,
                              const char* text,
                              size_t size,
-                             const inkcell_sink_t* sink,
                              inkcell_rect_t* out);
 
-/// Draws the text. The background is yours. `ram` may be null.
+/// Draws the text. The background is yours.
 void inkcell_value_label_draw(const inkcell_value_label_t* value,
-                              const inkcell_sink_t* sink,
-                              const inkcell_workspace_t* ram);
+                              const inkcell_painter_t* painter);
 
 /// The bytes that a number takes as text.
 #define INKCELL_NUMBER_BYTES 22

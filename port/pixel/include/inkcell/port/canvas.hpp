@@ -34,7 +34,7 @@ struct SinkKind {
   decltype(Sink::block) block;
   decltype(Sink::ramp) ramp;
   Layout layout;
-  decltype(Sink::adapt) adapt = nullptr;
+  decltype(Sink::levels) levels = nullptr;
 };
 
 // What is wrong with a strip: see pixel.hpp.
@@ -76,10 +76,10 @@ class Canvas : public Sink {
   const Strip& strip() const noexcept { return pixels_.strip; }
   /// From here on it draws into another strip, in the same way.
   void set_strip(const Strip& strip) noexcept {
-    const auto same = coverage;
+    const auto own = coverage;  // perhaps that of set_dither()
     pixels_.strip = strip;
     status_ = detail::open_sink(pixels_.strip, Pixels::kKind, &pixels_, *this);
-    coverage = same;
+    coverage = own;
   }
 
   /// Fills the window with the foreground.
