@@ -107,10 +107,11 @@ void draw_title(const Font& font,
                 int32_t baseline,
                 const Sink& sink) {
   const ShapedRun& title = fonts::ui_strings::title;
-  const Q26_6 wide = Painter().measure(font, style, title).advance;
+  const Painter painter(sink);
+  const Q26_6 wide = painter.measure(font, style, title).advance;
   const int32_t left = (64 * width - wide.raw) / 2;
-  Painter(sink).text(font, style,
-                     {Q26_6::from_raw(left), Q26_6::from_int(baseline)}, title);
+  painter.text(font, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},
+               title);
 }
 
 }  // namespace

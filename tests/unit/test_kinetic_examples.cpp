@@ -62,7 +62,7 @@ constexpr Q26_6 size = Q26_6::from_int(16);
 constexpr Point from = {Q26_6::from_int(4), Q26_6::from_int(30)};
 constexpr Point to = {Q26_6::from_int(44), Q26_6::from_int(30)};
 
-Status draw_poses(int32_t now_ms, const Sink& sink) {
+Status draw_poses(int32_t now_ms, const Painter& painter) {
   constexpr PoseKey keys[] = {{0, {}, kOvershoot}, {500, {}, kLinear}};
   const RunPlace where = {from, size, {}, 250};
   RunGlyph glyphs[16];
@@ -75,7 +75,7 @@ Status draw_poses(int32_t now_ms, const Sink& sink) {
         delay_of({40, StaggerOrder::from_centre, 0}, i, run.glyphs.size);
     posed[i] = place(font, run, i, where, pose_at(keys, now_ms - delay));
   }
-  renderer.draw({posed, run.glyphs.size}, sink);  // for each strip
+  renderer.draw({posed, run.glyphs.size}, painter);  // for each strip
   constexpr Point control1 = {Q26_6::from_int(14), Q26_6::from_int(10)};
   constexpr Point control2 = {Q26_6::from_int(34), Q26_6::from_int(50)};
   PathPoint points[40];
@@ -87,11 +87,11 @@ Status draw_poses(int32_t now_ms, const Sink& sink) {
   for (size_t i = 0; i < run.glyphs.size; ++i) {
     posed[i] = place(font, run, i, path, along, Pose());
   }
-  renderer.draw({posed, run.glyphs.size}, sink);
+  renderer.draw({posed, run.glyphs.size}, painter);
   return Status::ok;
 }
 
-Status draw_morph(int32_t now_ms, const Sink& sink) {
+Status draw_morph(int32_t now_ms, const Painter& painter) {
   const int32_t x = 4;
   const int32_t y = 4;
   constexpr MorphBox box = {24, 24, 20, 0};  // width, height, baseline [px]
@@ -100,7 +100,7 @@ Status draw_morph(int32_t now_ms, const Sink& sink) {
   GlyphMorph digit(font, size, kFilterMotion, box, grids);
   INKCELL_TRY(digit.set(font.glyph_or_notdef('A'), font.glyph_or_notdef('C')));
   digit.step(ease(kEaseInOut, fraction(0, 600, now_ms)), scratch);
-  digit.draw(x, y, sink);  // for each strip
+  digit.draw(x, y, painter);  // for each strip
   return Status::ok;
 }
 

@@ -93,12 +93,6 @@ void draw(Recipe& recipe, Picture& target, const Rect& part) {
   }
 }
 
-void draw(MovingLetters& letters, Picture& target, const Rect& part) {
-  Canvas canvas(target, part);
-  const Sink sink = canvas.sink();
-  letters.draw(sink);
-}
-
 bool equal() {
   for (int32_t i = 0; i < kWidth * kHeight; ++i) {
     if (whole[i] != expected[i]) {

@@ -76,9 +76,11 @@ Status make_screen(const Font& font, const Style& style, Screen& out) {
                               {0, 48, 128, 64}, out.glyphs, out.label);
 }
 
-void draw_screen(const Screen& screen, int32_t scroll_px, const Sink& sink) {
-  screen.box.draw("A paragraph that wraps, and is centred.", sink);
-  screen.label.draw_endless(Q26_6::from_int(scroll_px), 16_px, sink);
+void draw_screen(const Screen& screen,
+                 int32_t scroll_px,
+                 const Painter& painter) {
+  screen.box.draw("A paragraph that wraps, and is centred.", painter);
+  screen.label.draw_endless(Q26_6::from_int(scroll_px), 16_px, painter);
 }
 
 }  // namespace

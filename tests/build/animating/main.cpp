@@ -19,14 +19,6 @@ constexpr uint16_t kInk = 0xffff, kPaper = 0x0000;   // white on black
 alignas(4) static uint8_t strip_rows[2 * 240 * 16];  // 16 rows
 alignas(4) static uint8_t painter_ram[4096];         // for outlines that morph
 
-template <typename Recipe>
-void draw_on(const Painter& painter, Recipe& recipe) {
-  recipe.draw(painter);
-}
-void draw_on(const Painter& painter, MovingLetters& letters) {
-  letters.draw(painter.sink());
-}
-
 struct Screen {
   port::StripLoop loop;
   uint32_t start = ticks_ms();
@@ -38,8 +30,8 @@ struct Screen {
     loop.context = &recipe;
     loop.draw = [](void* context, const Strip& strip) {
       const port::Rgb565Canvas canvas(strip, kInk, kPaper);
-      draw_on(Painter(canvas, Workspace(painter_ram)),
-              *static_cast<Recipe*>(context));
+      static_cast<Recipe*>(context)->draw(
+          Painter(canvas, Workspace(painter_ram)));
       return canvas.status();
     };
     if (status == Status::ok) {
