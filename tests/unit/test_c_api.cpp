@@ -86,6 +86,13 @@ TEST(a_style_that_is_refused_draws_nothing) {
   CHECK_EQ(inkcell_style_make(24 << 6, &inkcell_filter_area, &style),
            INKCELL_OK);
   CHECK(draw_24(style));
+  inkcell_style_for_cap_height(&font, 24 << 6, &inkcell_filter_area, &style);
+  CHECK_EQ(inkcell_style_size(&style),
+           Style::for_cap_height(open(), 24_px).size().raw);
+  CHECK(draw_24(style));
+  inkcell_style_for_digit_height(&font, 24 << 6, &inkcell_filter_text, &style);
+  CHECK_EQ(inkcell_style_size(&style),
+           Style::for_digit_height(open(), 24_px).size().raw);
   CHECK_EQ(inkcell_style_make(3 << 6, &inkcell_filter_area, &style),
            INKCELL_BAD_ARGUMENT);
   CHECK(!draw_24(style));

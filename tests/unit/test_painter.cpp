@@ -6,6 +6,7 @@
 #include "inkcell/bilevel.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/shadow.hpp"
@@ -251,4 +252,59 @@ TEST(measures_in_pixels_are_those_in_units) {
   CHECK_EQ(px.bottom.raw, to_px(font, style, -units.y_min).raw);
   const PixelMeasure none = Painter().measure(font, style, "");
   CHECK(none.advance.raw == 0 && none.left.raw == none.right.raw);
+}
+
+// The rows of ink above the baseline.
+int32_t height_of(const Font& font, const Style& style, Text text) {
+  Touched touched;
+  const Sink sink = touched.sink();
+  Painter(sink).text(font, style, at(0, 200 * 64), text);
+  return 200 - touched.box.y0;
+}
+
+TEST(sizes_by_the_height_of_capitals_and_digits) {
+  using namespace outline_record;
+  // '0' is lower than '1', as figures of old style are.
+  const OutlineSource glyphs[] = {
+      {600, {kBar, 4}}, {600, {kBar, 4}}, {600, {kEll, 6}}};
+  const auto open = [&](uint32_t first, int32_t cap_height) {
+    const size_t size = build_outline_font({glyphs, 3}, 0, first, font_bytes);
+    font_builder::put_u16(font_bytes + format::header::kCapHeight,
+                          static_cast<uint32_t>(cap_height));
+    CHECK(font_builder::repair_checksums({font_bytes, size}));
+    Font font;
+    CHECK_OK(Font::open({font_bytes, size}, font));
+    return font;
+  };
+  const Font digits = open('0', 512);
+  for (int32_t px = 5; px <= 60; px += 5) {
+    const Q26_6 height = Q26_6::from_int(px);
+    CHECK_EQ(height_of(digits, Style::for_digit_height(digits, height), "01"),
+             px);
+  }
+  CHECK_EQ(Style::for_digit_height(digits, 37_px).size().raw,
+           37 * 64 * 1024 / 740);
+  // Without capitals: as the font says.
+  CHECK_EQ(Style::for_cap_height(digits, 30_px).size().raw, 60 * 64);
+  const Font capitals = open('H', 512);
+  for (int32_t px = 5; px <= 60; px += 5) {
+    const Q26_6 height = Q26_6::from_int(px);
+    const Style style = Style::for_cap_height(capitals, height, kFilterText);
+    CHECK_EQ(height_of(capitals, style, "H"), px);
+    CHECK(&style.filter() == &kFilterText);
+  }
+  CHECK_EQ(Style::for_digit_height(capitals, 30_px).size().raw, 60 * 64);
+  // With neither, of the em; always in range.
+  constexpr int32_t kNone[] = {0, -1, INT16_MIN};
+  for (const int32_t cap_height : kNone) {
+    const Font none = open('a', cap_height);
+    CHECK_EQ(Style::for_cap_height(none, 30_px).size().raw, 30 * 64);
+    CHECK_EQ(Style::for_digit_height(none, 30_px).size().raw, 30 * 64);
+  }
+  const auto clamped = [&](int32_t raw) {
+    return Style::for_cap_height(capitals, Q26_6::from_raw(raw)).size();
+  };
+  CHECK(clamped(INT32_MAX) == kMaxSize && clamped(kMaxSize.raw) == kMaxSize);
+  CHECK(clamped(INT32_MIN) == kMinSize && clamped(0) == kMinSize);
+  CHECK_EQ(Style::for_cap_height(Font(), 20_px).size().raw, 20 * 64);
 }

@@ -114,7 +114,20 @@ class Style {
   explicit Style(const Matrix& matrix,
                  const Filter& filter = kFilterArea) noexcept;
 
+  /// Upright styles of the size at which capitals, or digits, are `height` px
+  /// high from the baseline: H, or the highest digit; FontMetrics::cap_height
+  /// where the font lacks them; the em where that is 0. Px to the em are no
+  /// height: capitals take about seven tenths of it.
+  static Style for_cap_height(const Font& font,
+                              Q26_6 height,
+                              const Filter& filter = kFilterArea) noexcept;
+  static Style for_digit_height(const Font& font,
+                                Q26_6 height,
+                                const Filter& filter = kFilterArea) noexcept;
+
   /// A filter made in the argument would be gone before the style is used.
+  static Style for_cap_height(const Font&, Q26_6, const Filter&&) = delete;
+  static Style for_digit_height(const Font&, Q26_6, const Filter&&) = delete;
   Style(Q26_6, const Filter&&) = delete;
   Style(Q26_6, const Filter&&, Direction) = delete;
   Style(const Matrix&, const Filter&&) = delete;

@@ -2,6 +2,7 @@
 #include "inkcell/style.hpp"
 
 #include "base/root.hpp"
+#include "inkcell/font.hpp"
 
 namespace inkcell {
 namespace {
@@ -141,10 +142,45 @@ bool bring_to_unit(Direction& direction) noexcept {
   return true;
 }
 
+// The size at which the highest of some characters is `height` px high.
+Q26_6 size_for(const Font& font,
+               uint32_t first,
+               uint32_t last,
+               Q26_6 height) noexcept {
+  int32_t top = 0;
+  for (; first <= last; ++first) {
+    uint16_t glyph = 0;
+    GlyphMetrics ink;
+    if (font.glyph_of(first, glyph) == Status::ok &&
+        font.glyph_metrics(glyph, ink) == Status::ok) {
+      top = ink.y_max > top ? ink.y_max : top;
+    }
+  }
+  top = top > 0 ? top : font.metrics().cap_height;
+  const uint32_t em = font.units_per_em();  // at most 2^14
+  const uint32_t units = top > 0 ? static_cast<uint32_t>(top) : em;
+  const int32_t high = height.raw < kMaxSize.raw ? height.raw : kMaxSize.raw;
+  const uint32_t high_q6 = high > 0 ? static_cast<uint32_t>(high) : 0;
+  // Rounded down, so that no ink is in another row.
+  return Q26_6::from_raw(static_cast<int32_t>(high_q6 * em / units));
+}
+
 }  // namespace
 
 Stretch stretch_of(const Matrix& matrix) noexcept {
   return Gains(matrix).stretch();
+}
+
+Style Style::for_cap_height(const Font& font,
+                            Q26_6 height,
+                            const Filter& filter) noexcept {
+  return Style(size_for(font, 'H', 'H', height), filter);
+}
+
+Style Style::for_digit_height(const Font& font,
+                              Q26_6 height,
+                              const Filter& filter) noexcept {
+  return Style(size_for(font, '0', '9', height), filter);
 }
 
 Style::Style(Q26_6 size, const Filter& filter, Direction direction) noexcept

@@ -12,6 +12,22 @@ inkcell_status_t inkcell_style_make(int32_t size_q6,
       filter_of(filter));
 }
 
+void inkcell_style_for_cap_height(const inkcell_font_t* font,
+                                  int32_t height_q6,
+                                  const inkcell_filter_t* filter,
+                                  inkcell_style_t* out) {
+  ref(out) = Style::for_cap_height(ref(font), Q26_6::from_raw(height_q6),
+      filter_of(filter));
+}
+
+void inkcell_style_for_digit_height(const inkcell_font_t* font,
+                                    int32_t height_q6,
+                                    const inkcell_filter_t* filter,
+                                    inkcell_style_t* out) {
+  ref(out) = Style::for_digit_height(ref(font), Q26_6::from_raw(height_q6),
+      filter_of(filter));
+}
+
 inkcell_status_t inkcell_style_make_turned(int32_t size_q6,
                                            const inkcell_filter_t* filter,
                                            int32_t cosine_q30,

@@ -34,6 +34,18 @@ inkcell_status_t inkcell_style_make(int32_t size_q6,
                                     const inkcell_filter_t* filter,
                                     inkcell_style_t* out);
 
+/// An upright style of the size at which capitals, or digits, are `height_q6`
+/// px high; the size is clamped to 4 to 1024 px/em. A font without them has its
+/// cap height, else its em, of that height.
+void inkcell_style_for_cap_height(const inkcell_font_t* font,
+                                  int32_t height_q6,
+                                  const inkcell_filter_t* filter,
+                                  inkcell_style_t* out);
+void inkcell_style_for_digit_height(const inkcell_font_t* font,
+                                    int32_t height_q6,
+                                    const inkcell_filter_t* filter,
+                                    inkcell_style_t* out);
+
 /// A style that is turned counter-clockwise by the angle of this cosine and
 /// sine. [Q30] BAD_ARGUMENT: also if they are not those of an angle, within
 /// 1/1000.
