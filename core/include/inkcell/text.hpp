@@ -34,6 +34,11 @@ struct Text {
       ++size;
     }
   }
+#if defined(__cpp_char8_t)
+  /// The same: u8"21.5 \u00b0C" of C++20.
+  Text(const char8_t* string) noexcept
+      : Text(reinterpret_cast<const char*>(string)) {}
+#endif
 };
 
 /// Takes the first code point off `text`, which must not be empty.
