@@ -222,9 +222,22 @@ TEST(values_are_those_of_cpp) {
   }
   // The longest number fits its buffer.
   char longest[INKCELL_NUMBER_BYTES];
-  const Text text = inkcell_number_text(INT32_MIN, 9, 10, ',', longest);
-  CHECK(text.size == INKCELL_NUMBER_BYTES - 1);
+  inkcell_number_text(INT32_MIN, 9, 10, ',', longest);
+  CHECK_EQ(Text(longest).size, 21);
   CHECK_EQ(longest[11], ',');
+  CHECK(inkcell_number_add_unit(longest, " 1234567890") == longest);
+  CHECK_EQ(Text(longest).size, INKCELL_NUMBER_BYTES - 1);
+  inkcell_number_add_unit(longest, "more");
+  CHECK_EQ(Text(longest).size, INKCELL_NUMBER_BYTES - 1);
+  inkcell_number_text(215, 1, 1, '.', longest);
+  const Text text = inkcell_number_add_unit(longest,
+                                            " \xC2\xB0"
+                                            "C");
+  const NumberText same = NumberText(215, 1).with_unit(
+      " \xC2\xB0"
+      "C");
+  CHECK_EQ(text.size, same.text().size);
+  CHECK_EQ(__builtin_memcmp(text.data, same.text().data, text.size), 0);
   CHECK_EQ(
       Text(inkcell_number_text_of_q16(-(5 << 15), 0, 1, '.', longest)).data[1],
       '3');

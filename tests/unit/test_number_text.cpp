@@ -64,4 +64,20 @@ TEST(options_out_of_range_are_clamped) {
   CHECK(reads(NumberText(0, INT32_MIN, INT32_MIN), "0"));
 }
 
+TEST(a_unit_follows_its_number) {
+  CHECK(reads(NumberText(215, 1).with_unit(" \u00b0C"), "21.5 \u00b0C"));
+  CHECK(reads(NumberText(-5).with_unit("%"), "-5%"));
+  NumberText number(7);
+  CHECK(reads(number.with_unit(""), "7"));
+  CHECK(reads(number.with_unit({}), "7"));
+  CHECK(reads(number.with_unit(" kWh"), "7 kWh"));
+  CHECK(reads(number.with_unit(" V"), "7 V"));
+  // The longest of both, and longer ones, which are cut.
+  CHECK(reads(NumberText(INT32_MIN, 9, 10).with_unit(" 1234567890"),
+              "-0000000002.147483648 1234567890"));
+  CHECK(reads(number.with_unit(" 1234567890x"), "7 1234567890"));
+  CHECK(reads(number.with_unit(" 12345678\u00b0C"), "7 12345678\u00b0"));
+  CHECK(reads(number.with_unit(" 123456789\u00b0C"), "7 123456789"));
+}
+
 }  // namespace

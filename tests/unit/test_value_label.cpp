@@ -5,6 +5,7 @@
 #include "check.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/port/grey2.hpp"
+#include "inkcell/number_text.hpp"
 #include "inkcell/port/grey8.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/mono_rows.hpp"
@@ -146,6 +147,38 @@ TEST(values_stand_at_their_anchor) {
     CHECK_EQ(changed.x0, box.x0);
     CHECK_EQ(changed.x1, box.x1);
     CHECK_EQ(value.box().y0, box.y0);
+  }
+}
+
+// The anchor, the box and what is cleared are those of both.
+TEST(a_number_and_its_unit_are_one_value) {
+  const uint32_t kNine = '9';
+  const outline_record::OutlineSource glyphs[] = {
+      {600, {outline_record::kBar, 4}},
+      {600, {outline_record::kEll, 6}},    // 9
+      {900, {outline_record::kBar, 4}},    // :
+      {768, {outline_record::kDisc, 13}},  // ;
+  };
+  const size_t size = outline_record::build_outline_font(
+      {glyphs, 4}, 0, kNine, {font_bytes, sizeof(font_bytes)});
+  Font font;
+  CHECK_OK(Font::open({font_bytes, size}, font));
+  const Style style(16_px);
+  ValueLabel value(font, style, {110, 34}, Anchor::right);
+  show(value, 0, kAll);
+  const Rect unit = Painter().box(
+      font, style,
+      {Q26_6::from_raw(110 * 64 -
+                       Painter().measure(font, style, ":;").advance.raw),
+       34_px},
+      ":;");
+  constexpr int32_t kValues[] = {9, 999999, 99};
+  for (const int32_t number : kValues) {
+    show(value, 0, value.set(NumberText(number).with_unit(":;"), {}));
+    show(value, 1, kAll);
+    CHECK(are_equal());
+    CHECK_EQ(value.box().x1, unit.x1);
+    CHECK(value.box().x0 < unit.x0);
   }
 }
 

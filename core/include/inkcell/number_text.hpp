@@ -4,6 +4,7 @@
 //   NumberText(-5, 2)           "-0.05"
 //   NumberText(7, 0, 2)         "07"
 //   NumberText(Q26_6(...), 1)   of fixed point, rounded
+//   NumberText(215, 1).with_unit(" \u00b0C")    "21.5 \u00b0C"
 #pragma once
 
 #include <stdint.h>
@@ -33,11 +34,18 @@ class NumberText {
     set_fixed(value.raw, kFraction, decimals, digits, point);
   }
 
-  Text text() const noexcept { return {bytes_ + begin_, kSize - begin_}; }
+  /// Puts a unit behind the number, instead of one that is there: 11 bytes at
+  /// most, cut after a whole character.
+  NumberText& with_unit(Text unit) noexcept;
+
+  Text text() const noexcept {
+    return {bytes_ + begin_, static_cast<size_t>(end_ - begin_)};
+  }
   operator Text() const noexcept { return text(); }
 
  private:
   static constexpr size_t kSize = 21;  // a sign, 10 digits, a point, 9 decimals
+  static constexpr size_t kMostUnit = 11;
 
   void set_fixed(int32_t raw,
                  int32_t fraction_bits,
@@ -52,8 +60,9 @@ class NumberText {
            char point) noexcept;
   void put(uint32_t number, int32_t least) noexcept;
 
-  char bytes_[kSize];  // from begin_ on
-  size_t begin_;
+  char bytes_[kSize + kMostUnit];  // from begin_ to end_
+  uint8_t begin_ = kSize;
+  uint8_t end_ = kSize;
 };
 
 }  // namespace inkcell

@@ -44,6 +44,9 @@ struct Text {
 /// Takes the first code point off `text`, which must not be empty.
 uint32_t next_code_point(Text& text) noexcept;
 
+/// The whole characters of its first `most` bytes.
+Text cut(Text text, size_t most) noexcept;
+
 /// Whether text shows .notdef where a font lacks a code point. Controls, zero
 /// width characters and soft hyphens show nothing; spaces and tabs need none of
 /// their own beside U+0020.

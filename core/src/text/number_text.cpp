@@ -63,7 +63,6 @@ void NumberText::set(bool is_negative,
                      int32_t decimals,
                      int32_t digits,
                      char point) noexcept {
-  begin_ = kSize;
   if (decimals != 0) {
     put(part, decimals);
     bytes_[--begin_] = point;
@@ -72,6 +71,15 @@ void NumberText::set(bool is_negative,
   if (is_negative) {
     bytes_[--begin_] = '-';
   }
+}
+
+NumberText& NumberText::with_unit(Text unit) noexcept {
+  unit = cut(unit, kMostUnit);
+  end_ = kSize;
+  for (size_t i = 0; i < unit.size; ++i) {
+    bytes_[end_++] = unit.data[i];
+  }
+  return *this;
 }
 
 // A number in at least so many digits, in front of what is there.

@@ -93,6 +93,18 @@ uint32_t next_code_point(Text& text) noexcept {
   return count > 0 && used == count + size_t{1} ? code_point : kReplacement;
 }
 
+Text cut(Text text, size_t most) noexcept {
+  if (text.size > most) {
+    text.size = most;
+    // At most 3 bytes continue a character.
+    const size_t least = most < 3 ? 0 : most - 3;
+    while (text.size > least && (byte_at(text, text.size) & 0xc0) == 0x80) {
+      --text.size;
+    }
+  }
+  return text;
+}
+
 bool needs_glyph(uint32_t code_point) noexcept {
   return detail::shown_as(code_point) == detail::Shown::glyph;
 }

@@ -3,18 +3,6 @@
 namespace inkcell {
 namespace {
 
-// `text` as far as it has room. UTF-8 has at most 3 bytes that continue a
-// character.
-Text cut(Text text) noexcept {
-  if (text.size > ValueLabel::kMostBytes) {
-    text.size = ValueLabel::kMostBytes;
-    for (int32_t i = 0; i < 3 && (text.data[text.size] & 0xc0) == 0x80; ++i) {
-      --text.size;
-    }
-  }
-  return text;
-}
-
 bool equal(Text a, Text b) noexcept {
   return a.size == b.size && __builtin_memcmp(a.data, b.data, a.size) == 0;
 }
@@ -32,7 +20,7 @@ Point ValueLabel::place(const Painter& painter) const noexcept {
 
 Rect ValueLabel::set(Text text, const Painter& painter) noexcept {
   const size_t size = text.size;
-  text = cut(text);
+  text = cut(text, kMostBytes);
   if (text.size != size && painter.report() != nullptr) {
     painter.report()->note(Status::cut);
   }

@@ -44,3 +44,9 @@ const char* inkcell_number_text_of_q16(int32_t value_q16,
   return put_text(NumberText(Q16_16::from_raw(value_q16), decimals, digits,
       point), out);
 }
+
+const char* inkcell_number_add_unit(char* number, const char* unit) {
+  const Text text = number;
+  put_text(cut(unit, INKCELL_NUMBER_BYTES - 1 - text.size), number + text.size);
+  return number;
+}

@@ -47,8 +47,8 @@ void inkcell_value_label_set(inkcell_value_label_t* value,
 void inkcell_value_label_draw(const inkcell_value_label_t* value,
                               const inkcell_painter_t* painter);
 
-/// The bytes that a number takes as text.
-#define INKCELL_NUMBER_BYTES 22
+/// The bytes that a number takes as text, with a unit of 11 bytes.
+#define INKCELL_NUMBER_BYTES 33
 
 
 /// `value`, in units of the last of `decimals`, 0 to 9, as text: 235 and 1 are
@@ -66,6 +66,11 @@ const char* inkcell_number_text_of_q16(int32_t value_q16,
                                        int32_t digits,
                                        char point,
                                        char* out);
+
+/// Puts a unit such as " \xC2\xB0" "C" behind a number of the functions above,
+/// which is what is returned. What has no room is cut off after a whole
+/// character.
+const char* inkcell_number_add_unit(char* number, const char* unit);
 
 #ifdef __cplusplus
 }
