@@ -26,6 +26,7 @@ struct DcsModel {
   int32_t x = 0, y = 0;
   uint8_t access = 0, pixel_format = 0, high = 0;
   bool awake = false, on = false, inverted = false, normal = false;
+  uint8_t brightness = 0, backlight = 0;
   uint32_t waited_ms = 0;
   int resets = 0, transfers = 0;
   int64_t pixels = 0;
@@ -66,6 +67,11 @@ struct DcsModel {
         model.awake = model.on = false;
         model.waited_ms = 0;
         break;
+      case 0x10:
+        CHECK(!model.on);
+        model.awake = false;
+        model.waited_ms = 0;
+        break;
       case 0x11:
         CHECK(model.waited_ms >= 120);
         model.awake = true;
@@ -77,6 +83,9 @@ struct DcsModel {
       case 0x20:
       case 0x21:
         model.inverted = c[0] == 0x21;
+        break;
+      case 0x28:
+        model.on = false;
         break;
       case 0x29:
         CHECK(model.awake && model.waited_ms >= 120);
@@ -90,6 +99,8 @@ struct DcsModel {
       case 0x2b:
       case 0x36:
       case 0x3a:
+      case 0x51:
+      case 0x53:
         break;
       default:
         model.note(c[0]);
@@ -114,6 +125,10 @@ struct DcsModel {
       access = byte;
     } else if (command_byte == 0x3a) {
       pixel_format = byte;
+    } else if (command_byte == 0x51) {
+      brightness = byte;
+    } else if (command_byte == 0x53) {
+      backlight = byte;
     } else if (command_byte == 0x2c) {
       if (at % 2 == 0) {
         high = byte;

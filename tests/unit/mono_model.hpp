@@ -18,7 +18,7 @@ struct MonoModel {
   int32_t first_column = 0, last_column = 127, column = 0;
   int32_t first_page = 0, last_page = 7, page = 0;
   int32_t multiplex = 64;
-  uint8_t row_pins = 0, supply = 0;
+  uint8_t row_pins = 0, supply = 0, contrast = 127;
   bool reverse_segments = false, reverse_rows = false, on = false;
   bool horizontal = false;
   int resets = 0, commands = 0, transfers = 0;
@@ -52,6 +52,7 @@ struct MonoModel {
         return windows ? 1 : -1;
       case 0xad:
         return windows ? -1 : 1;
+      case 0x81:
       case 0xa8:
       case 0xd3:
       case 0xda:
@@ -85,6 +86,9 @@ struct MonoModel {
         CHECK(c[1] <= c[2] && c[2] < 8);
         page = first_page = c[1];
         last_page = c[2];
+        break;
+      case 0x81:
+        contrast = c[1];
         break;
       case 0x8d:
       case 0xad:

@@ -25,12 +25,14 @@ struct GreyModel {
   int32_t first_column = 0, last_column = kColumns - 1, column = 0;
   int32_t first_row = 0, last_row = kRows - 1, row = 0;
   bool on = false;
+  uint8_t contrast = 0;
 
   static int32_t parameters(uint8_t command) {
     switch (command) {
       case 0x15:
       case 0x75:
         return 2;
+      case 0x81:
       case 0xa0:
       case 0xa1:
       case 0xa2:
@@ -50,6 +52,9 @@ struct GreyModel {
       last_row = c[2];
     } else if (c[0] == 0xae || c[0] == 0xaf) {
       on = c[0] == 0xaf;
+    } else if (c[0] == 0x81) {
+      CHECK(c[1] < 128);
+      contrast = c[1];
     } else if (c[0] == 0xa8) {
       CHECK_EQ(c[1], kHeight - 1);
     } else if (parameters(c[0]) == 1) {
@@ -93,6 +98,7 @@ struct PageModel {
   uint8_t memory[kPages][kColumns] = {};
   int32_t page = 0, column = 0;
   bool on = false;
+  uint8_t contrast = 0;
 
   static void command(void* context, const uint8_t* c, size_t count) {
     auto& model = *static_cast<PageModel*>(context);
@@ -108,6 +114,10 @@ struct PageModel {
           break;
         case 0xb0:
           model.page = low;
+          break;
+        case 0x80:
+          CHECK(c[i] == 0x81 && i + 1 < count);
+          model.contrast = c[++i];
           break;
         default:
           model.on = c[i] == 0xaf;
@@ -192,6 +202,35 @@ TEST(ssd0303_shows_strips_at_their_place) {
                         r.y1 / 8};
     check_memory(at, bytes, 35, PageModel::kColumns, PageModel::kPages);
   }
+}
+
+template <typename Model, typename Display>
+void check_sleep_and_contrast(Model& model,
+                              const Display& display,
+                              int32_t most) {
+  init(display);
+  sleep(display);
+  CHECK(!model.on);
+  CHECK_OK(write(display, make_strip(0, 0, 8, 8, 8)));
+  wake(display);
+  CHECK(model.on);
+  set_contrast(display, 255);
+  CHECK_EQ(model.contrast, most);
+  set_contrast(display, 0);
+  CHECK_EQ(model.contrast, 0);
+}
+
+TEST(oled_panels_sleep_and_have_a_contrast) {
+  GreyModel grey;
+  check_sleep_and_contrast(
+      grey,
+      Ssd0323{{&grey, GreyModel::command, GreyModel::data}, kWidth, kHeight},
+      127);
+  PageModel page;
+  check_sleep_and_contrast(
+      page,
+      Ssd0303{{&page, PageModel::command, PageModel::data}, kWidth, kHeight},
+      255);
 }
 
 // A strip in bytes, for a format of `bits` to the pixel.

@@ -161,6 +161,33 @@ TEST(setup_is_sent_before_the_controller_wakes) {
   CHECK_EQ(model.transfers + model.resets, 0);
 }
 
+TEST(panels_sleep_and_wake_with_their_picture) {
+  DcsModel model(240, 320);
+  St7789 display;
+  display.bus = model.bus();
+  display.width = 240;
+  display.height = 320;
+  check_page(model, display, 100, 0);
+  const int64_t pixels = model.pixels;
+  for (int i = 0; i < 2; ++i) {
+    CHECK_OK(sleep(display));
+    CHECK(!model.on && !model.awake);
+    CHECK(model.waited_ms >= 5);
+    CHECK_OK(wake(display));
+    CHECK(model.on && model.awake);
+  }
+  CHECK_EQ(model.pixels, pixels);
+  CHECK_EQ(model.resets, 1);
+  set_brightness(display, 99);
+  CHECK_EQ(model.brightness, 99);
+  CHECK_EQ(model.backlight & 0x24, 0x24);
+  model.transfers = 0;
+  display.bus.wait_ms = nullptr;
+  CHECK_EQ(sleep(display), Status::bad_argument);
+  CHECK_EQ(wake(display), Status::bad_argument);
+  CHECK_EQ(model.transfers, 0);
+}
+
 template <typename Display>
 void check_refused(DcsModel& model, const DcsPanel& panel) {
   Display display;

@@ -131,6 +131,26 @@ TEST(parts_are_replaced) {
   check_shown(page, picture, {128, 64, 2, true, 64, 0});
 }
 
+template <typename Display>
+void check_sleep_and_contrast(const MonoModel& model, const Display& display) {
+  CHECK_OK(init(display));
+  const int sent = model.resets + model.transfers;
+  sleep(display);
+  CHECK(!model.on);
+  wake(display);
+  CHECK(model.on);
+  set_contrast(display, 207);
+  CHECK_EQ(model.contrast, 207);
+  CHECK_EQ(model.resets + model.transfers, sent);
+}
+
+TEST(panels_sleep_and_have_a_contrast) {
+  MonoModel window(true);
+  check_sleep_and_contrast(window, Ssd1306{window.bus()});
+  MonoModel page(false);
+  check_sleep_and_contrast(page, Sh1106{page.bus()});
+}
+
 // What an SSD1306 does with transfers: a control byte, then bytes of one kind.
 struct I2cModel {
   MonoModel display{true};

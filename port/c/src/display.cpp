@@ -51,6 +51,19 @@ inkcell_status_t inkcell_gc9a01_write(void* display,
   return code(write(*static_cast<const port::Gc9a01*>(display), ref(strip)));
 }
 
+inkcell_status_t inkcell_dcs_sleep(const inkcell_dcs_panel_t* display) {
+  return code(sleep(ref(display)));
+}
+
+inkcell_status_t inkcell_dcs_wake(const inkcell_dcs_panel_t* display) {
+  return code(wake(ref(display)));
+}
+
+void inkcell_dcs_set_brightness(const inkcell_dcs_panel_t* display,
+                                uint8_t brightness) {
+  set_brightness(ref(display), brightness);
+}
+
 inkcell_status_t inkcell_ssd1306_init(const inkcell_ssd1306_t* display) {
   return code(init(ref(display)));
 }
@@ -58,6 +71,19 @@ inkcell_status_t inkcell_ssd1306_init(const inkcell_ssd1306_t* display) {
 inkcell_status_t inkcell_ssd1306_write(void* display,
                                        const inkcell_strip_t* strip) {
   return code(write(*static_cast<const port::Ssd1306*>(display), ref(strip)));
+}
+
+void inkcell_ssd1306_sleep(const inkcell_ssd1306_t* display) {
+  sleep(ref(display));
+}
+
+void inkcell_ssd1306_wake(const inkcell_ssd1306_t* display) {
+  wake(ref(display));
+}
+
+void inkcell_ssd1306_set_contrast(const inkcell_ssd1306_t* display,
+                                  uint8_t contrast) {
+  set_contrast(ref(display), contrast);
 }
 
 inkcell_status_t inkcell_ssd1680_init(const inkcell_ssd1680_t* display) {

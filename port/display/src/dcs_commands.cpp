@@ -11,16 +11,20 @@ namespace {
 
 enum Command : uint8_t {
   kReset = 0x01,
+  kSleepIn = 0x10,
   kSleepOut = 0x11,
   kNormalMode = 0x13,
   kInversionOff = 0x20,
   kInversionOn = 0x21,
+  kDisplayOff = 0x28,
   kDisplayOn = 0x29,
   kSetColumns = 0x2a,  // first, last; 16 bits each, high byte first
   kSetRows = 0x2b,     // likewise
   kWriteMemory = 0x2c,
   kSetAccess = 0x36,       // AccessBit
   kSetPixelFormat = 0x3a,  // bits a pixel
+  kSetBrightness = 0x51,   // of the backlight
+  kSetBacklight = 0x53,    // BacklightBit
 };
 
 // MADCTL maps addresses of the host to addresses of the memory: kExchange swaps
@@ -32,8 +36,10 @@ enum AccessBit : uint8_t {
   kBlueFirst = 0x08,
 };
 
+enum BacklightBit : uint8_t { kControlled = 0x20, kLit = 0x04 };
+
 // The longest wait in the data sheets before any command, after a reset and
-// after leaving sleep. [ms]
+// after entering or leaving sleep. [ms]
 constexpr uint32_t kWaitMs = 120;
 
 // MADCTL and the panel's origin in addresses of the host, turned by k quarters:
@@ -143,5 +149,33 @@ Status write(const DcsPanel& panel,
 }
 
 }  // namespace detail
+
+Status sleep(const DcsPanel& panel) noexcept {
+  if (panel.bus.wait_ms == nullptr) {
+    return Status::bad_argument;
+  }
+  send_command(panel.bus, detail::kDisplayOff);
+  send_command(panel.bus, detail::kSleepIn);
+  panel.bus.wait_ms(panel.bus.context, detail::kWaitMs);
+  return Status::ok;
+}
+
+Status wake(const DcsPanel& panel) noexcept {
+  if (panel.bus.wait_ms == nullptr) {
+    return Status::bad_argument;
+  }
+  send_command(panel.bus, detail::kSleepOut);
+  panel.bus.wait_ms(panel.bus.context, detail::kWaitMs);
+  send_command(panel.bus, detail::kDisplayOn);
+  return Status::ok;
+}
+
+void set_brightness(const DcsPanel& panel, uint8_t brightness) noexcept {
+  const uint8_t level[] = {brightness};
+  send_command(panel.bus, detail::kSetBrightness, level);
+  const uint8_t control[] = {detail::kControlled | detail::kLit};
+  send_command(panel.bus, detail::kSetBacklight, control);
+}
+
 }  // namespace port
 }  // namespace inkcell

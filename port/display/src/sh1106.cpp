@@ -2,6 +2,7 @@
 #include "inkcell/port/sh1106.hpp"
 
 #include "bounds.hpp"
+#include "oled_commands.hpp"
 #include "send_pages.hpp"
 
 namespace inkcell {
@@ -16,8 +17,6 @@ enum Command : uint8_t {
   kNotInverse = 0xa6,
   kSetMultiplex = 0xa8,  // rows - 1
   kSetConverter = 0xad,
-  kDisplayOff = 0xae,
-  kDisplayOn = 0xaf,
   kScanNormal = 0xc0,
   kScanReverse = 0xc8,
   kSetOffset = 0xd3,
@@ -74,6 +73,18 @@ Status write(const Sh1106& display, const Strip& strip) noexcept {
                             : display.first_column,
              strip);
   return Status::ok;
+}
+
+void sleep(const Sh1106& display) noexcept {
+  send_power(display.bus, kDisplayOff);
+}
+
+void wake(const Sh1106& display) noexcept {
+  send_power(display.bus, kDisplayOn);
+}
+
+void set_contrast(const Sh1106& display, uint8_t contrast) noexcept {
+  send_contrast(display.bus, contrast);
 }
 
 }  // namespace port

@@ -2,6 +2,7 @@
 #include "inkcell/port/ssd0303.hpp"
 
 #include "bounds.hpp"
+#include "oled_commands.hpp"
 #include "send_pages.hpp"
 
 namespace inkcell {
@@ -13,8 +14,6 @@ enum Command : uint8_t {
   kSegmentsNormal = 0xa0,
   kNormalDisplay = 0xa4,
   kNotInverse = 0xa6,
-  kDisplayOff = 0xae,
-  kDisplayOn = 0xaf,
   kScanNormal = 0xc0,
 };
 
@@ -40,6 +39,18 @@ Status write(const Ssd0303& display, const Strip& strip) noexcept {
       check_on_screen(strip, Ssd0303::kFormat, display.width, display.height));
   send_pages(display.bus, display.first_column, strip);
   return Status::ok;
+}
+
+void sleep(const Ssd0303& display) noexcept {
+  send_power(display.bus, kDisplayOff);
+}
+
+void wake(const Ssd0303& display) noexcept {
+  send_power(display.bus, kDisplayOn);
+}
+
+void set_contrast(const Ssd0303& display, uint8_t contrast) noexcept {
+  send_contrast(display.bus, contrast);
 }
 
 }  // namespace port

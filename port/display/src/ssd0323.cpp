@@ -2,6 +2,7 @@
 #include "inkcell/port/ssd0323.hpp"
 
 #include "bounds.hpp"
+#include "oled_commands.hpp"
 #include "send_pixels.hpp"
 
 namespace inkcell {
@@ -16,8 +17,6 @@ enum Command : uint8_t {
   kSetOffset = 0xa2,
   kNormalDisplay = 0xa4,
   kSetMultiplex = 0xa8,  // rows - 1
-  kDisplayOff = 0xae,
-  kDisplayOn = 0xaf,
 };
 
 constexpr int32_t kMaxWidth = 128;  // of the controller's memory [px]
@@ -59,6 +58,18 @@ Status write(const Ssd0323& display, const Strip& strip) noexcept {
   display.bus.command(display.bus.context, window, sizeof window);
   send_pixels(display.bus, strip, Ssd0323::kFormat);
   return Status::ok;
+}
+
+void sleep(const Ssd0323& display) noexcept {
+  send_power(display.bus, kDisplayOff);
+}
+
+void wake(const Ssd0323& display) noexcept {
+  send_power(display.bus, kDisplayOn);
+}
+
+void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept {
+  send_contrast(display.bus, static_cast<uint8_t>(contrast / 2));
 }
 
 }  // namespace port

@@ -3,6 +3,7 @@
 #include "inkcell/port/ssd1306.hpp"
 
 #include "bounds.hpp"
+#include "oled_commands.hpp"
 #include "send_pixels.hpp"
 
 namespace inkcell {
@@ -20,8 +21,6 @@ enum Command : uint8_t {
   kNormalDisplay = 0xa4,
   kNotInverse = 0xa6,
   kSetMultiplex = 0xa8,  // rows - 1
-  kDisplayOff = 0xae,
-  kDisplayOn = 0xaf,
   kScanNormal = 0xc0,
   kScanReverse = 0xc8,
   kSetOffset = 0xd3,
@@ -96,6 +95,18 @@ Status write(const Ssd1306& display, const Strip& strip) noexcept {
   display.bus.command(display.bus.context, window, sizeof window);
   send_pixels(display.bus, strip, Ssd1306::kFormat);
   return Status::ok;
+}
+
+void sleep(const Ssd1306& display) noexcept {
+  send_power(display.bus, kDisplayOff);
+}
+
+void wake(const Ssd1306& display) noexcept {
+  send_power(display.bus, kDisplayOn);
+}
+
+void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept {
+  send_contrast(display.bus, contrast);
 }
 
 }  // namespace port

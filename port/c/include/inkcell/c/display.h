@@ -97,6 +97,17 @@ inkcell_status_t inkcell_ili9341_write(void* display,
 inkcell_status_t inkcell_gc9a01_write(void* display,
                                       const inkcell_strip_t* strip);
 
+/// Switches any of these panels off and puts its controller to sleep, and back.
+/// Memory and settings are kept. Each takes an eighth of a second.
+inkcell_status_t inkcell_dcs_sleep(const inkcell_dcs_panel_t* display);
+inkcell_status_t inkcell_dcs_wake(const inkcell_dcs_panel_t* display);
+
+/// The backlight, 0 to 255; 0 after init. Only of panels whose backlight hangs
+/// on the controller, which ST7735 cannot drive; on most modules it is a pin of
+/// the board.
+void inkcell_dcs_set_brightness(const inkcell_dcs_panel_t* display,
+                                uint8_t brightness);
+
 /// An OLED of up to 128 x 64 px. Its strips are INKCELL_MONO_PAGES.
 typedef struct INKCELL_SHARED inkcell_ssd1306_t {
   inkcell_display_bus_t bus;
@@ -111,6 +122,14 @@ typedef struct INKCELL_SHARED inkcell_ssd1306_t {
 inkcell_status_t inkcell_ssd1306_init(const inkcell_ssd1306_t* display);
 inkcell_status_t inkcell_ssd1306_write(void* display,
                                        const inkcell_strip_t* strip);
+
+/// Switches the panel off, and on again. The memory is kept.
+void inkcell_ssd1306_sleep(const inkcell_ssd1306_t* display);
+void inkcell_ssd1306_wake(const inkcell_ssd1306_t* display);
+
+/// How bright pixels are, 0 to 255; 127 after a reset.
+void inkcell_ssd1306_set_contrast(const inkcell_ssd1306_t* display,
+                                  uint8_t contrast);
 
 enum { INKCELL_SSD1680 = 0, INKCELL_SSD1681 = 1 };
 enum { INKCELL_PLANE_NEXT = 0, INKCELL_PLANE_SHOWN = 1 };

@@ -7,6 +7,7 @@
 #include "inkcell/port/display_bus.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
 
 namespace inkcell {
 namespace port {
@@ -57,6 +58,18 @@ constexpr int32_t screen_height(const DcsPanel& panel) noexcept {
   return (static_cast<uint8_t>(panel.rotation) & 1) != 0 ? panel.width
                                                          : panel.height;
 }
+
+/// Switches the panel off and puts the controller to sleep; its memory and
+/// settings are kept. The backlight is the board's unless the controller drives
+/// it. wake() switches both on again. Each takes an eighth of a second.
+///
+/// bad_argument: the bus has no `wait_ms`. Nothing is sent then.
+Status sleep(const DcsPanel& panel) noexcept;
+Status wake(const DcsPanel& panel) noexcept;
+
+/// The backlight, 0 to 255; 0 after init(). Only of panels whose backlight
+/// hangs on the controller; on most modules it is a pin of the board.
+void set_brightness(const DcsPanel& panel, uint8_t brightness) noexcept;
 
 }  // namespace port
 }  // namespace inkcell

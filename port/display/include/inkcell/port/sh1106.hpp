@@ -29,7 +29,7 @@ struct Sh1106 {
 
 /// Pulses the reset line if there is one, sets what write() relies on, and
 /// switches the panel on. The display's memory is unchanged. The board sends
-/// contrast, clock and pump voltage through the same bus.
+/// clock and pump voltage through the same bus.
 ///
 /// bad_argument: a size is out of range, or the display is larger than the
 /// controller's memory of 132 x 64. Nothing is sent then.
@@ -41,6 +41,14 @@ Status init(const Sh1106& display) noexcept;
 /// height is not a multiple of 8, or its stride is shorter than a page.
 /// buffer_small: it has fewer pixels than its pages need. Nothing is sent then.
 Status write(const Sh1106& display, const Strip& strip) noexcept;
+
+/// Switches the panel off, and on again. The memory is kept, and write() works
+/// meanwhile.
+void sleep(const Sh1106& display) noexcept;
+void wake(const Sh1106& display) noexcept;
+
+/// How bright pixels are, 0 to 255; 128 after a reset.
+void set_contrast(const Sh1106& display, uint8_t contrast) noexcept;
 
 }  // namespace port
 }  // namespace inkcell

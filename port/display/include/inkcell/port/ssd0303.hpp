@@ -27,8 +27,8 @@ struct Ssd0303 {
 /// display's memory is unchanged.
 ///
 /// The board sends what depends on panel and wiring through the same bus: DC-DC
-/// converter or charge pump, contrast, clock, multiplex ratio, and after init()
-/// the remap for a panel mounted upside down.
+/// converter or charge pump, clock, multiplex ratio, and after init() the remap
+/// for a panel mounted upside down.
 void init(const Ssd0303& display) noexcept;
 
 /// Sends a strip to its place on the screen, page by page.
@@ -38,6 +38,14 @@ void init(const Ssd0303& display) noexcept;
 /// stride is shorter than a page. buffer_small: it has fewer pixels than its
 /// pages need. Nothing is sent then.
 Status write(const Ssd0303& display, const Strip& strip) noexcept;
+
+/// Switches the panel off, and on again. The memory is kept, and write() works
+/// meanwhile.
+void sleep(const Ssd0303& display) noexcept;
+void wake(const Ssd0303& display) noexcept;
+
+/// How bright pixels are, 0 to 255; 128 after a reset.
+void set_contrast(const Ssd0303& display, uint8_t contrast) noexcept;
 
 }  // namespace port
 }  // namespace inkcell

@@ -25,8 +25,8 @@ struct Ssd0323 {
 /// display's memory is unchanged.
 ///
 /// The board sends what depends on panel and wiring through the same bus: DC-DC
-/// converter, contrast, clock, grey table, and after init() the remap for a
-/// panel mounted upside down.
+/// converter, clock, grey table, and after init() the remap for a panel mounted
+/// upside down.
 void init(const Ssd0323& display) noexcept;
 
 /// Sends a strip to its place on the screen.
@@ -36,6 +36,14 @@ void init(const Ssd0323& display) noexcept;
 /// shorter than a row. buffer_small: it has fewer pixels than its rows need.
 /// Nothing is sent then.
 Status write(const Ssd0323& display, const Strip& strip) noexcept;
+
+/// Switches the panel off, and on again. The memory is kept, and write() works
+/// meanwhile.
+void sleep(const Ssd0323& display) noexcept;
+void wake(const Ssd0323& display) noexcept;
+
+/// How bright pixels are, 0 to 255, in 128 steps; 128 after a reset.
+void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept;
 
 }  // namespace port
 }  // namespace inkcell

@@ -32,7 +32,7 @@ struct Ssd1306 {
 
 /// Pulses the reset line if there is one, sets what write() relies on, and
 /// switches the panel on. The display's memory is unchanged. The board sends
-/// contrast, clock and pre-charge through the same bus.
+/// clock and pre-charge through the same bus.
 ///
 /// bad_argument: a size is out of range, or the display is larger than the
 /// controller's memory of 128 x 64. Nothing is sent then.
@@ -44,6 +44,14 @@ Status init(const Ssd1306& display) noexcept;
 /// height is not a multiple of 8, or its stride is shorter than a page.
 /// buffer_small: it has fewer pixels than its pages need. Nothing is sent then.
 Status write(const Ssd1306& display, const Strip& strip) noexcept;
+
+/// Switches the panel off, and on again. The memory is kept, and write() works
+/// meanwhile.
+void sleep(const Ssd1306& display) noexcept;
+void wake(const Ssd1306& display) noexcept;
+
+/// How bright pixels are, 0 to 255; 127 after a reset.
+void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept;
 
 }  // namespace port
 }  // namespace inkcell

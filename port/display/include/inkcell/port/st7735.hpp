@@ -30,5 +30,8 @@ Status init(const St7735& display) noexcept;
 /// Nothing is sent then.
 Status write(const St7735& display, const Strip& strip) noexcept;
 
+/// The controller drives no backlight.
+void set_brightness(const St7735& display, uint8_t brightness) = delete;
+
 }  // namespace port
 }  // namespace inkcell
