@@ -4,6 +4,7 @@
 #include "examples.h"
 #include "fonts.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
+#include "inkcell/kinetic/path.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
@@ -241,6 +242,49 @@ TEST(values_are_those_of_cpp) {
   CHECK_EQ(
       Text(inkcell_number_text_of_q16(-(5 << 15), 0, 1, '.', longest)).data[1],
       '3');
+}
+
+TEST(text_on_a_circle_is_that_of_cpp) {
+  constexpr int32_t kSide = 64;
+  static uint8_t by_c[kSide * kSide];
+  static uint8_t by_cpp[sizeof by_c];
+  inkcell_font_t font;
+  inkcell_style_t style;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  CHECK_EQ(inkcell_style_make(12 << 6, &inkcell_filter_area, &style),
+           INKCELL_OK);
+  inkcell_grey8_target_t target = {};
+  target.strip = {by_c, sizeof by_c, 0, 0, kSide, kSide, kSide, 0};
+  target.level = 255;
+  inkcell_sink_t sink;
+  CHECK_EQ(inkcell_grey8_sink(&target, &sink), INKCELL_OK);
+  const inkcell_text_circle_t circle = {
+      32 << 6,           32 << 6, 20 << 6, 3 << 14, INKCELL_CIRCLE_INSIDE,
+      INKCELL_ANCHOR_RIGHT};
+  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+  inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
+                         &circle);
+  inkcell_rect_t pixels;
+  inkcell_circle_box(&font, kText, INKCELL_TERMINATED, &style, &circle,
+                        &pixels);
+  const Style same(12_px);
+  const kinetic::TextCircle same_circle = {{32, 32},
+                                           20_px,
+                                           kinetic::from_degrees(270),
+                                           kinetic::CircleSide::inside,
+                                           Anchor::right};
+  const port::Grey8Canvas canvas({by_cpp, 0, 0, kSide, kSide, kSide});
+  kinetic::draw_on_circle(canvas, open(), same, same_circle, kText);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
+  const Rect box =
+      kinetic::draw_on_circle({}, open(), same, same_circle, kText);
+  CHECK(pixels.x0 == box.x0 && pixels.y0 == box.y0);
+  CHECK(pixels.x1 == box.x1 && pixels.y1 == box.y1);
+  style = {};
+  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+  inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
+                         &circle);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 
 TEST(a_paragraph_tells_its_pixels) {

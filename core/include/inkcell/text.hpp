@@ -80,13 +80,14 @@ struct Face {
 /// `font`, the text and the style must outlive it.
 class TextCursor {
  public:
-  TextCursor(const Font& font, Text text) noexcept
-      : font_(font), text_(text), size_(text.size) {}
+  /// As designed. A report says what to do with missing characters, and must
+  /// outlive it.
+  TextCursor(const Font& font, Text text, TextReport* report = nullptr) noexcept
+      : font_(font), text_(text), size_(text.size), report_(report) {}
 
   /// With the advances that glyphs have when the style draws them. If those are
   /// whole pixels, so is the kerning, rounded towards 0; positions are whole
-  /// pixels in font units, to the nearest. A report says what to do with
-  /// missing characters, and must outlive it.
+  /// pixels in font units, to the nearest.
   TextCursor(const Font& font,
              Text text,
              const Style& style,
@@ -113,7 +114,7 @@ class TextCursor {
   size_t size_;
   const Style* style_ = nullptr;
   const Fitter* fitter_ = nullptr;  // null: advances are the font's
-  TextReport* report_ = nullptr;
+  TextReport* report_;
   int32_t advance_ = 0;    // [px with a style, or font units]
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
 };

@@ -1,9 +1,10 @@
-// Polylines by length, and glyphs along them.
+// Polylines by length, and glyphs along them and on circles.
 #include "inkcell/kinetic/path.hpp"
 
 #include "base/modular.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
+#include "place/style_parts.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -65,6 +66,48 @@ int64_t along_at(const Path& path,
     at = start + along + (more < -most ? -most : more > most ? most : more);
   }
   return at;
+}
+
+// Draws a glyph whose origin is `x` font units along the line, and returns its
+// box. Not inline: a frame of its own.
+__attribute__((noinline)) Rect draw_glyph(const Painter& painter,
+                                          const Font& font,
+                                          const Style& style,
+                                          const TextCircle& circle,
+                                          int32_t x,
+                                          uint16_t glyph) noexcept {
+  constexpr int64_t kTurn = 683565276;  // 1 / (2 pi) [Q32]
+  const Q26_6 size = style.size();
+  const int32_t side = circle.side == CircleSide::outside ? 1 : -1;
+  const int32_t radius_q6 = clamp(circle.radius.raw, 64, 8191 * 64);
+  const int32_t spaced_q6 = max(radius_q6 + side * (size.raw / 4), 64);
+  // The middle of the advance is on the circle.
+  const int32_t half_q16 = to_px_q16(font, size, font.advance(glyph)).raw / 2;
+  const int64_t along_q16 = int64_t{to_px_q16(font, size, x).raw} + half_q16;
+  const int64_t turns_q16 =
+      (side * along_q16 * (kTurn * 64 / spaced_q6) + (int64_t{1} << 31)) >> 32;
+  const Direction out = direction_of(
+      Angle::from_raw(static_cast<uint16_t>(circle.at.raw - turns_q16)));
+  const int32_t right = side * out.sine.raw;
+  const int32_t up = -side * out.cosine.raw;
+  // From the centre to the circle, and back by half of the advance.
+  const auto px = [&](Q26_6 centre, int32_t to, int32_t back) {
+    const int64_t far_q46 = int64_t{radius_q6} * (1 << 10) * to -
+                            int64_t{half_q16} * back + (int64_t{1} << 39);
+    return Q26_6::from_raw(
+        clamp_i64(centre.raw + (far_q46 >> 40), INT32_MIN, INT32_MAX));
+  };
+  const Point origin(px(circle.centre.x, out.cosine.raw, right),
+                     px(circle.centre.y, -out.sine.raw, -up));
+  Style turned(
+      size, style.filter(),
+      {Fixed<int32_t, 30>::from_raw(right), Fixed<int32_t, 30>::from_raw(up)});
+  turned.clear_fit();
+  if (style.effect() != nullptr) {
+    turned.set_effect(*style.effect());
+  }
+  painter.glyph(font, turned, origin, glyph);
+  return painter.glyph_box(font, turned, origin, glyph);
 }
 
 }  // namespace
@@ -252,6 +295,27 @@ PosedGlyph place(const Font& font,
   posed.at.x.raw = static_cast<int32_t>((x + (1 << 9)) >> 10);
   posed.at.y.raw = static_cast<int32_t>((y + (1 << 9)) >> 10);
   return posed;
+}
+
+Rect draw_on_circle(const Painter& painter,
+                    const Font& font,
+                    const Style& style,
+                    const TextCircle& circle,
+                    Text text) noexcept {
+  Rect box;
+  if (detail::StyleParts::band_kind(style) == nullptr) {
+    return box;  // nothing is drawn
+  }
+  const auto halves = static_cast<int32_t>(circle.anchor);
+  const int32_t first =
+      halves == 0 ? 0 : measure(font, text).advance * halves / 2;
+  TextCursor cursor(font, text, painter.report());
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    box = bounding_box(
+        box, draw_glyph(painter, font, style, circle, at.x - first, at.glyph));
+  }
+  return box;
 }
 
 }  // namespace kinetic

@@ -113,8 +113,7 @@ TextCursor::TextCursor(const Font& font,
                        Text text,
                        const Style& style,
                        TextReport* report) noexcept
-    : TextCursor(font, text) {
-  report_ = report;
+    : TextCursor(font, text, report) {
   if (style.has_whole_advances()) {
     style_ = &style;
     fitter_ = style.fitter();

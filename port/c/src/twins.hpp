@@ -16,6 +16,7 @@
 #include "inkcell/inkcell.h"
 #include "inkcell/kinetic/easing.hpp"
 #include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/kinetic/path.hpp"
 #include "inkcell/layout/bidi.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/layout.hpp"
@@ -213,6 +214,10 @@ struct CppOf<inkcell_scrolling_label_t> {
 template <>
 struct CppOf<inkcell_value_label_t> {
   using Type = ValueLabel;
+};
+template <>
+struct CppOf<inkcell_text_circle_t> {
+  using Type = kinetic::TextCircle;
 };
 template <>
 struct CppOf<inkcell_outline_morph_t> {

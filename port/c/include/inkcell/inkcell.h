@@ -19,6 +19,7 @@
 #pragma once
 
 #include "inkcell/c/cache.h"
+#include "inkcell/c/circle_text.h"
 #include "inkcell/c/display.h"
 #include "inkcell/c/draw.h"
 #include "inkcell/c/effects.h"

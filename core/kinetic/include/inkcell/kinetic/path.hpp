@@ -1,4 +1,8 @@
-// Paths of lines, arcs and cubics, parametrised by length, and text along them.
+// Paths of lines, arcs and cubics, parametrised by length, and text along them;
+// text on circles, in one call:
+//
+//   const TextCircle rim = {{120, 120}, 100_px, from_degrees(90)};
+//   draw_on_circle(painter, font, style, rim, "BAROMETER");
 #pragma once
 
 #include <stdint.h>
@@ -9,8 +13,11 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/pose.hpp"
 #include "inkcell/kinetic/run.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/style.hpp"
+#include "inkcell/text.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -102,6 +109,31 @@ PosedGlyph place(const Font& font,
                  const Path& path,
                  const PathPlace& where,
                  const Pose& pose) noexcept;
+
+/// Where letters have their heads, and how the line runs.
+enum class CircleSide : uint8_t {
+  outside,  // clockwise: the upper half of a dial
+  inside,   // counter-clockwise, heads to the centre: the lower half
+};
+
+/// The circle of a line's baseline.
+struct TextCircle {
+  Point centre;
+  Q26_6 radius;  // clamped to 1..8191 px
+  Angle at;      // of the anchor: 0 is to the right of the centre
+  CircleSide side = CircleSide::outside;
+  Anchor anchor = Anchor::centre;
+};
+
+/// Draws a line with the size, the filter and the effect of a style, and
+/// returns the pixels that it may touch: Painter() draws nothing. Glyphs are
+/// turned, and not fitted. They are spaced a quarter of the em above the
+/// baseline, so that they neither touch inside nor part outside.
+Rect draw_on_circle(const Painter& painter,
+                    const Font& font,
+                    const Style& style,
+                    const TextCircle& circle,
+                    Text text) noexcept;
 
 }  // namespace kinetic
 }  // namespace inkcell
