@@ -335,6 +335,55 @@ TEST(clocks_roll_without_pairs) {
   draw(clock, whole, kAll);
 }
 
+// Digits that lean out of their cells, as those of italics do.
+TEST(ink_overhangs_its_cell) {
+  constexpr OutlinePoint kLeaning[] = {{start, -180, -20},
+                                       {corner, 100, -20},
+                                       {corner, 800, 700},
+                                       {corner, 520, 700}};
+  alignas(4) static uint8_t bytes[1024];
+  OutlineSource glyphs[12];
+  for (OutlineSource& glyph : glyphs) {
+    glyph = {600, {kLeaning, 4}};
+  }
+  glyphs[11] = {300, {kBar, 4}};  // ':'
+  Font leaning;
+  const size_t size = build_outline_font({glyphs, 12}, 0, '0', bytes);
+  CHECK_OK(Font::open({bytes, size}, leaning));
+  const Point at = {20, 30};
+  Counter counter(leaning, style, at, 1);
+  counter.roll(7, 7, {});
+  const Rect changed = counter.at(0);
+  draw(counter, whole, kAll);
+  {
+    Canvas canvas(expected, kAll);
+    Painter(canvas.sink(), Workspace(ram)).text(leaning, style, at, "7");
+  }
+  CHECK(ink_of(expected) > 0);
+  CHECK(equal());
+  const Rect ink = Painter().box(leaning, style, at, "7");
+  CHECK(changed.x0 <= ink.x0 && changed.x1 >= ink.x1);
+  // A clock's digit, and what is drawn again of both.
+  Clock clock(leaning, style, at);
+  clock.at(0, 1, 0);
+  {
+    Canvas canvas(whole, kAll);
+    clock.draw_digit(Painter(canvas.sink(), Workspace(ram)), style, 0);
+  }
+  CHECK(equal());
+  Screen first;
+  Clock other(leaning, style, at);
+  for (int32_t now = 0; now < Clock::kEndMs + kFrameMs; now += kFrameMs) {
+    first.redraw(other.at(59, 60, now), other);
+  }
+  Screen second;
+  Counter three(leaning, style, at, 3);
+  three.roll(95, 105, {0, 1000});
+  for (int32_t now = 0; now <= 1000 + kFrameMs; now += kFrameMs) {
+    second.redraw(three.at(now), three);
+  }
+}
+
 TEST(typewriters_type) {
   Screen screen;
   type(screen);

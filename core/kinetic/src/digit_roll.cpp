@@ -15,20 +15,29 @@ constexpr int32_t kMostPx = 2048;  // of a cell, whatever the font says
 
 DigitCells measure_digits(const Font& font, const Style& style) noexcept {
   TextMeasure all;
+  // Of twice the ink, from the middle of the advance: it is in a cell's middle.
+  int32_t left = 0;
+  int32_t right = 0;
   for (uint32_t i = 0; i < 10; ++i) {
     GlyphMetrics digit;
     // A digit that the font lacks is .notdef.
     static_cast<void>(font.glyph_metrics(font.glyph_or_notdef('0' + i), digit));
-    all.advance = digit.advance > all.advance ? digit.advance : all.advance;
-    all.y_min = digit.y_min < all.y_min ? digit.y_min : all.y_min;
-    all.y_max = digit.y_max > all.y_max ? digit.y_max : all.y_max;
+    all.advance = max(all.advance, digit.advance);
+    all.y_min = min(all.y_min, digit.y_min);
+    all.y_max = max(all.y_max, digit.y_max);
+    left = min(left, 2 * digit.x_min - digit.advance);
+    right = max(right, 2 * digit.x_max - digit.advance);
   }
+  all.x_min = (all.advance + left) / 2;
+  all.x_max = (all.advance + right) / 2;
   const PixelMeasure px = to_px(font, style, all);
   const int32_t room = (px.bottom.raw - px.top.raw) / 8;
   DigitCells cells;
   cells.width.raw = clamp(px.advance.raw, 0, kMostPx * 64);
   cells.top = clamp((px.top.raw - room - 63) >> 6, -kMostPx, 0);
   cells.bottom = clamp((px.bottom.raw + room + 63) >> 6, 1, kMostPx);
+  cells.left = clamp(px.left.raw >> 6, -kMostPx, 0);
+  cells.right = clamp((px.right.raw - px.advance.raw + 63) >> 6, 0, kMostPx);
   return cells;
 }
 
@@ -36,10 +45,13 @@ Rect cells_box(const DigitCells& cells,
                Point at,
                int32_t first,
                int32_t last) noexcept {
-  // A pixel of a filter beyond the widest advance.
+  // A pixel of a filter beyond the ink.
+  const auto x = [&](int32_t cell) {
+    return (at.x.raw + cell * cells.width.raw) >> 6;
+  };
   const int32_t y = at.y.raw >> 6;
-  return {((at.x.raw + first * cells.width.raw) >> 6) - 1, y + cells.top,
-          ((at.x.raw + last * cells.width.raw) >> 6) + 2, y + cells.bottom + 1};
+  return {x(first) + cells.left - 1, y + cells.top, x(last) + cells.right + 2,
+          y + cells.bottom + 1};
 }
 
 void draw_roll(const Painter& painter,

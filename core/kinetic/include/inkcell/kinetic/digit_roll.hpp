@@ -18,6 +18,8 @@ struct DigitCells {
   Q26_6 width;         // of the widest digit's advance [px]
   int32_t top = 0;     // of a cell, from the baseline [px, y down]
   int32_t bottom = 0;  // exclusive; digits roll by bottom - top
+  int32_t left = 0;    // how far ink overhangs a cell [px, <= 0]
+  int32_t right = 0;   // likewise [px, >= 0]
 };
 DigitCells measure_digits(const Font& font, const Style& style) noexcept;
 
@@ -34,7 +36,7 @@ void draw_roll(const Painter& painter,
                const uint16_t (&digits)[2],
                Q16_16 part) noexcept;
 
-/// The pixels of cells [first, last) from `at` on.
+/// The pixels of cells [first, last) from `at` on, with ink that overhangs.
 Rect cells_box(const DigitCells& cells,
                Point at,
                int32_t first,
