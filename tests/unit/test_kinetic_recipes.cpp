@@ -38,6 +38,7 @@ const Font& test_font() {
 
 const Font& font = test_font();
 const Style style(18_px);
+const Style small(14_px);
 
 using Picture = uint8_t[kWidth * kHeight];
 Picture whole;
@@ -335,6 +336,49 @@ TEST(clocks_roll_without_pairs) {
   draw(clock, whole, kAll);
 }
 
+TEST(clocks_show_seconds) {
+  Screen screen;
+  Clock clock(font, small, {2, 30}, ClockUnit::seconds);
+  const uint32_t second = 12 * 3600 + 59 * 60 + 59;
+  for (int32_t now = 0; now < Clock::kEndMs + kFrameMs; now += kFrameMs) {
+    screen.redraw(clock.at(second, second + 1, now), clock);
+  }
+  CHECK(screen.redraws > 10);
+  // 12:59:59 to 13:00:00: all digits but the first.
+  CHECK_EQ(clock.digits(), 6);
+  clock.at(second, second + 1, 300);
+  CHECK_EQ(clock.progress(0).raw, 1 << 16);
+  for (int32_t i = 1; i < 6; ++i) {
+    CHECK(clock.progress(i).raw > 0 && clock.progress(i).raw < 1 << 16);
+  }
+  // At rest, 12:13:14: as 12:13, and 13:14 a pair of digits further.
+  const uint32_t later = 12 * 3600 + 13 * 60 + 14;
+  clock.at(later, later, 0);
+  draw(clock, whole, kAll);
+  Clock minutes(font, small, {2, 30});
+  minutes.at(12 * 60 + 13, 12 * 60 + 13, 0);
+  draw(minutes, expected, kAll);
+  const int32_t end = minutes.box().x1 - 2;
+  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+    CHECK(i % kWidth >= end || whole[i] == expected[i]);
+  }
+  const uint16_t colon = font.glyph_or_notdef(':');
+  const int32_t from_q6 = 2 * 64 + 2 * to_px(font, small, 768).raw +
+                          to_px(font, small, font.advance(colon)).raw;
+  const int32_t from = (from_q6 >> 6) + 1;
+  Clock last(font, small, {Q26_6::from_raw(from_q6), 30_px});
+  last.at(13 * 60 + 14, 13 * 60 + 14, 0);
+  draw(last, expected, kAll);
+  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+    CHECK(i % kWidth < from || whole[i] == expected[i]);
+  }
+  // Any second and any time.
+  CHECK(is_empty(clock.at(later + 86400, later, 0)));
+  clock.at(0xffffffff, 0xfffffffe, INT32_MIN);
+  clock.at(86399, 86400, INT32_MAX);
+  draw(clock, whole, kAll);
+}
+
 // Digits that lean out of their cells, as those of italics do.
 TEST(ink_overhangs_its_cell) {
   constexpr OutlinePoint kLeaning[] = {{start, -180, -20},
@@ -519,8 +563,8 @@ TEST(soft_windows_are_linear) {
 // As docs/ANIMATING.md says, on 32 bits.
 TEST(recipes_are_small) {
   if (sizeof(void*) == 4) {
-    CHECK_EQ(sizeof(Counter), 72u);
-    CHECK_EQ(sizeof(Clock), 40u);
+    CHECK_EQ(sizeof(Counter), 80u);
+    CHECK_EQ(sizeof(Clock), 56u);
     CHECK_EQ(sizeof(Typewriter), 40u);
     CHECK_EQ(sizeof(Wipe), 60u);
     CHECK_EQ(sizeof(MovingLetters), 28u);

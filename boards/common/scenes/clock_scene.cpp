@@ -70,8 +70,8 @@ void ClockScene::set_frame(uint32_t frame) noexcept {
 
 void ClockScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
-  clock_.draw_colon(painter(paper, kColonInk));
-  for (int32_t i = 0; i < Clock::kDigits; ++i) {
+  clock_.draw_colons(painter(paper, kColonInk));
+  for (int32_t i = 0; i < clock_.digits(); ++i) {
     // Hot at half the progress.
     const int32_t part = clock_.progress(i).raw;
     const auto heat =
@@ -95,7 +95,7 @@ uint32_t ClockScene::next_due() const noexcept {
 }
 
 void ClockScene::tell_state(const StateSink& sink) const noexcept {
-  for (int32_t i = 0; i < Clock::kDigits; ++i) {
+  for (int32_t i = 0; i < clock_.digits(); ++i) {
     sink.tell(clock_.progress(i).raw);
   }
 }

@@ -10,20 +10,14 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr uint32_t kMinutesPerDay = 24 * 60;
 constexpr Easing kChange = cubic_bezier(650, 0, 350, 1000);
 
-uint32_t digit_of(uint32_t minute, int32_t digit) noexcept {
-  switch (digit) {
-    case 0:
-      return minute / 600;
-    case 1:
-      return minute / 60 % 10;
-    case 2:
-      return minute / 10 % 6;
-    default:
-      return minute % 10;
-  }
+uint32_t digit_of(uint32_t second, int32_t digit) noexcept {
+  constexpr struct {
+    uint16_t seconds;
+    uint16_t values;
+  } kPlaces[] = {{36000, 10}, {3600, 10}, {600, 6}, {60, 10}, {10, 6}, {1, 10}};
+  return second / kPlaces[digit].seconds % kPlaces[digit].values;
 }
 
 Q16_16 part_at(int32_t since_ms) noexcept {
@@ -32,15 +26,19 @@ Q16_16 part_at(int32_t since_ms) noexcept {
 
 }  // namespace
 
-Clock::Clock(const Font& font, const Style& style, Point origin) noexcept
+Clock::Clock(const Font& font,
+             const Style& style,
+             Point origin,
+             ClockUnit unit) noexcept
     : face_{&font, &style},
       origin_(origin),
       cells_(measure_digits(font, style)),
-      colon_(to_px(font, style, font.advance(font.glyph_or_notdef(':')))) {}
+      colon_(to_px(font, style, font.advance(font.glyph_or_notdef(':')))),
+      unit_(unit) {}
 
 Q26_6 Clock::left_of(int32_t digit) const noexcept {
   return Q26_6::from_raw(origin_.x.raw + digit * cells_.width.raw +
-                         (digit >= 2 ? colon_.raw : 0));
+                         digit / 2 * colon_.raw);
 }
 
 Rect Clock::cell(int32_t digit) const noexcept {
@@ -48,11 +46,11 @@ Rect Clock::cell(int32_t digit) const noexcept {
 }
 
 Rect Clock::box() const noexcept {
-  return bounding_box(cell(0), cell(kDigits - 1));
+  return bounding_box(cell(0), cell(digits() - 1));
 }
 
-uint16_t Clock::glyph_of(uint16_t minute, int32_t digit) const noexcept {
-  return face_.font->glyph_or_notdef('0' + digit_of(minute, digit));
+uint16_t Clock::glyph_of(uint32_t second, int32_t digit) const noexcept {
+  return face_.font->glyph_or_notdef('0' + digit_of(second, digit));
 }
 
 Q16_16 Clock::progress(int32_t digit) const noexcept {
@@ -60,14 +58,14 @@ Q16_16 Clock::progress(int32_t digit) const noexcept {
                                                         : part_at(since_ms_);
 }
 
-Rect Clock::at(uint32_t from_minute,
-               uint32_t to_minute,
-               int32_t since_ms) noexcept {
-  const auto from = static_cast<uint16_t>(from_minute % kMinutesPerDay);
-  const auto to = static_cast<uint16_t>(to_minute % kMinutesPerDay);
-  const bool is_first = from_ == 0xffff;
+Rect Clock::at(uint32_t from, uint32_t to, int32_t since_ms) noexcept {
+  const uint32_t unit = unit_ == ClockUnit::seconds ? 1 : 60;
+  constexpr uint32_t kDay = 24 * 60 * 60;
+  from = from % (kDay / unit) * unit;
+  to = to % (kDay / unit) * unit;
+  const bool is_first = from_ == UINT32_MAX;
   Rect changed;
-  for (int32_t i = 0; i < kDigits; ++i) {
+  for (int32_t i = 0; i < digits(); ++i) {
     // What is shown: two digits and how far the first one is to the second.
     const auto shown = [i](uint32_t a, uint32_t b, int32_t ms) -> uint32_t {
       const uint32_t first = digit_of(a, i);
@@ -90,7 +88,7 @@ Rect Clock::at(uint32_t from_minute,
 void Clock::draw_digit(const Painter& painter,
                        const Style& style,
                        int32_t digit) const noexcept {
-  if (from_ == 0xffff) {
+  if (from_ == UINT32_MAX) {
     return;
   }
   const Font& font = *face_.font;
@@ -120,7 +118,7 @@ void Clock::draw_digit(const Painter& painter,
   }
 }
 
-void Clock::draw_colon(const Painter& painter) const noexcept {
+void Clock::draw_colons(const Painter& painter) const noexcept {
   const Font& font = *face_.font;
   // In the middle of the height of digits.
   const uint16_t colon = font.glyph_or_notdef(':');
@@ -132,15 +130,18 @@ void Clock::draw_colon(const Painter& painter) const noexcept {
   const PixelMeasure px = to_px(font, *face_.style, measure);
   const int32_t lift =
       ((cells_.top + cells_.bottom) * 64 - px.top.raw - px.bottom.raw) / 2;
-  painter.for_motion().glyph(font, *face_.style,
-                             {Q26_6::from_raw(left_of(2).raw - colon_.raw),
-                              Q26_6::from_raw(origin_.y.raw + lift)},
-                             colon);
+  const Painter moving = painter.for_motion();
+  for (int32_t i = 2; i < digits(); i += 2) {
+    moving.glyph(font, *face_.style,
+                 {Q26_6::from_raw(left_of(i).raw - colon_.raw),
+                  Q26_6::from_raw(origin_.y.raw + lift)},
+                 colon);
+  }
 }
 
 void Clock::draw(const Painter& painter) const noexcept {
-  draw_colon(painter);
-  for (int32_t i = 0; i < kDigits; ++i) {
+  draw_colons(painter);
+  for (int32_t i = 0; i < digits(); ++i) {
     draw_digit(painter, *face_.style, i);
   }
 }
