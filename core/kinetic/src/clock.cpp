@@ -49,10 +49,6 @@ Rect Clock::box() const noexcept {
   return bounding_box(cell(0), cell(digits() - 1));
 }
 
-uint16_t Clock::glyph_of(uint32_t second, int32_t digit) const noexcept {
-  return face_.font->glyph_or_notdef('0' + digit_of(second, digit));
-}
-
 Q16_16 Clock::progress(int32_t digit) const noexcept {
   return digit_of(from_, digit) == digit_of(to_, digit) ? Q16_16::from_int(1)
                                                         : part_at(since_ms_);
@@ -93,28 +89,23 @@ void Clock::draw_digit(const Painter& painter,
   }
   const Font& font = *face_.font;
   const Q16_16 part = progress(digit);
-  const uint16_t glyphs[2] = {glyph_of(from_, digit), glyph_of(to_, digit)};
-  const Face face = {&font, &style};
+  const uint16_t glyphs[2] = {
+      font.glyph_or_notdef('0' + digit_of(from_, digit)),
+      font.glyph_or_notdef('0' + digit_of(to_, digit))};
+  Point at = {left_of(digit), origin_.y};
   OutlineMorph morph;
-  if (part.raw == 1 << 16) {
-    draw_roll(painter, face, cells_, {left_of(digit), origin_.y},
-              {glyphs[1], kBlank}, Q16_16());
-  } else if (OutlineMorph::open(font, glyphs[0], glyphs[1], morph) ==
-                 Status::ok &&
-             OutlineMorph::workspace_bytes(font) <= painter.ram().size) {
+  if (part.raw == 1 << 16 ||
+      OutlineMorph::open(font, glyphs[0], glyphs[1], morph) != Status::ok ||
+      OutlineMorph::workspace_bytes(font) > painter.ram().size) {
+    draw_roll(painter, {&font, &style}, cells_, at, glyphs, part);
+    return;
+  }
+  Sink sink = painter.sink();
+  sink.window = intersect(sink.window, cell(digit));
+  if (!is_empty(sink.window)) {
     // Glyphs are centred by their advance.
-    const int32_t advance_q6 = morph.advance(style, part).raw;
-    Sink sink = painter.sink();
-    sink.window = intersect(sink.window, cell(digit));
-    if (!is_empty(sink.window)) {
-      morph.draw(painter.with(sink), style,
-                 {Q26_6::from_raw(left_of(digit).raw +
-                                  (cells_.width.raw - advance_q6) / 2),
-                  origin_.y},
-                 part);
-    }
-  } else {
-    draw_roll(painter, face, cells_, {left_of(digit), origin_.y}, glyphs, part);
+    at.x.raw += (cells_.width.raw - morph.advance(style, part).raw) / 2;
+    morph.draw(painter.with(sink), style, at, part);
   }
 }
 

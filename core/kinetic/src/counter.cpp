@@ -14,7 +14,7 @@ constexpr uint32_t kPowers[kMostDigits + 1] = {
 }  // namespace
 
 struct Counter::Wheel {
-  uint16_t digits[2];  // kBlank: a leading zero
+  uint16_t digits[2];  // glyphs; kBlank: a leading zero
   Q16_16 part;
 };
 
@@ -43,9 +43,10 @@ Counter::Wheel Counter::wheel(int64_t value_q16, int32_t place) const noexcept {
   Wheel wheel;
   for (uint32_t i = 0; i < 2; ++i) {
     const uint32_t value = whole + i;
-    wheel.digits[i] = value < power && place != 0
-                          ? kBlank
-                          : static_cast<uint16_t>(value / power % 10);
+    wheel.digits[i] =
+        value < power && place != 0
+            ? kBlank
+            : face_.font->glyph_or_notdef('0' + value / power % 10);
   }
   // It turns while all wheels to its right go from 9 to 0.
   wheel.part.raw =
@@ -83,12 +84,7 @@ Rect Counter::at(int32_t now_ms) noexcept {
 
 void Counter::draw(const Painter& painter) const noexcept {
   for (int32_t place = 0; place < digits_ && value_q16_ >= 0; ++place) {
-    Wheel now = wheel(value_q16_, place);
-    for (uint16_t& digit : now.digits) {
-      if (digit != kBlank) {
-        digit = face_.font->glyph_or_notdef('0' + uint32_t{digit});
-      }
-    }
+    const Wheel now = wheel(value_q16_, place);
     Point at = origin_;
     at.x.raw += (digits_ - 1 - place) * cells_.width.raw;
     draw_roll(painter, face_, cells_, at, now.digits, now.part);

@@ -1,6 +1,8 @@
 // Coverage times opacity, span by span.
 #include "inkcell/kinetic/fade.hpp"
 
+#include "limits.hpp"
+
 namespace inkcell {
 namespace kinetic {
 namespace {
@@ -9,6 +11,19 @@ namespace {
 uint8_t faded(uint32_t coverage, uint32_t opacity) noexcept {
   const uint32_t product = coverage * opacity + 128;
   return static_cast<uint8_t>((product + (product >> 8)) >> 8);
+}
+
+// Full coverage, by a function of a sink that takes coverage.
+void pass_full(void* context,
+               int32_t x,
+               int32_t y,
+               int32_t count,
+               decltype(Sink::coverage) take) {
+  uint8_t full[kMaxSpan];
+  __builtin_memset(full, 255, sizeof full);
+  for (; count > 0; count -= kMaxSpan, x += kMaxSpan) {
+    take(context, x, y, full, min(count, kMaxSpan));
+  }
 }
 
 void pass_coverage(void* context,
@@ -25,17 +40,7 @@ void pass_coverage(void* context,
 }
 
 void pass_solid(void* context, int32_t x, int32_t y, int32_t count) {
-  const Fade& fade = *static_cast<const Fade*>(context);
-  uint8_t buffer[kMaxSpan];
-  for (uint8_t& value : buffer) {
-    value = fade.opacity;
-  }
-  while (count > 0) {
-    const int32_t part = count < kMaxSpan ? count : kMaxSpan;
-    fade.target->coverage(fade.target->context, x, y, buffer, part);
-    x += part;
-    count -= part;
-  }
+  pass_full(context, x, y, count, pass_coverage);
 }
 
 // The opacity of a pixel between two sides, 0 to 255.
@@ -94,16 +99,7 @@ void pass_soft_solid(void* context, int32_t x, int32_t y, int32_t count) {
     soft.target->solid(soft.target->context, x, y, count);
     return;
   }
-  uint8_t full[kMaxSpan];
-  for (uint8_t& value : full) {
-    value = 255;
-  }
-  while (count > 0) {
-    const int32_t part = count < kMaxSpan ? count : kMaxSpan;
-    pass_soft(context, x, y, full, part);
-    x += part;
-    count -= part;
-  }
+  pass_full(context, x, y, count, pass_soft);
 }
 
 }  // namespace

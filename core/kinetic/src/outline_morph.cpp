@@ -239,16 +239,25 @@ Q26_6 OutlineMorph::advance(const Style& style,
       px(from_), px(to_), Q16_16::from_raw(clamp(progress.raw, 0, 1 << 16))));
 }
 
-bool OutlineMorph::draw_between(const Painter& painter,
-                                const Style& style,
-                                Point origin,
-                                Q16_16 progress,
-                                MorphPoints* points,
-                                Rect* box) const noexcept {
+void OutlineMorph::draw_or_box(const Painter& painter,
+                               const Style& style,
+                               Point origin,
+                               Q16_16 progress,
+                               MorphPoints* points,
+                               Rect* box) const noexcept {
   const int32_t progress_q10 = to_q10(progress);
-  if (font_ == nullptr || from_ == to_ || progress_q10 == 0 ||
-      progress_q10 == kOneQ10) {
-    return false;
+  Placed placed;
+  if (font_ == nullptr || !placed.set(origin)) {
+    return;
+  }
+  if (from_ == to_ || progress_q10 == 0 || progress_q10 == kOneQ10) {
+    const uint16_t glyph = progress_q10 < kOneQ10 ? from_ : to_;
+    if (box != nullptr) {
+      *box = painter.for_motion().glyph_box(*font_, style, origin, glyph);
+    } else {
+      painter.for_motion().glyph(*font_, style, origin, glyph);
+    }
+    return;
   }
   const bool is_reverse = from_ > to_;
   const Morphing morphing = {
@@ -258,48 +267,30 @@ bool OutlineMorph::draw_between(const Painter& painter,
       is_reverse ? kOneQ10 - progress_q10 : progress_q10,
       points};
   const GlyphRef ref = {&kMorphSource, &morphing, 0};
-  Placed placed;
-  if (!placed.set(origin)) {
-    return true;
-  }
   if (box != nullptr) {
     *box = detail::band_box(ref, style, placed);
   } else {
     detail::draw_bands(ref, style, placed, painter.sink(), painter.ram());
   }
-  return true;
 }
 
 void OutlineMorph::draw(const Painter& painter,
                         const Style& style,
                         Point origin,
                         Q16_16 progress) const noexcept {
-  if (!draw_between(painter, style, origin, progress, nullptr, nullptr) &&
-      font_ != nullptr) {
-    painter.for_motion().glyph(*font_, style, origin, end_at(progress));
-  }
+  draw_or_box(painter, style, origin, progress, nullptr, nullptr);
 }
 
 Rect OutlineMorph::box(const Style& style,
                        Point origin,
                        Q16_16 progress) const noexcept {
   Rect box;
-  if (!draw_between(Painter(), style, origin, progress, nullptr, &box) &&
-      font_ != nullptr) {
-    box = Painter().glyph_box(*font_, style, origin, end_at(progress));
-  }
+  draw_or_box(Painter(), style, origin, progress, nullptr, &box);
   return box;
 }
 
-uint16_t OutlineMorph::end_at(Q16_16 progress) const noexcept {
-  return to_q10(progress) < kOneQ10 ? from_ : to_;
-}
-
 void MorphFrame::draw(const Painter& painter) noexcept {
-  if (!morph_.draw_between(painter, style_, origin_, progress_, &points_,
-                           nullptr)) {
-    morph_.draw(painter, style_, origin_, progress_);
-  }
+  morph_.draw_or_box(painter, style_, origin_, progress_, &points_, nullptr);
 }
 
 size_t OutlineMorph::workspace_bytes(const Font& font) noexcept {

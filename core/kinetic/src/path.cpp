@@ -151,16 +151,21 @@ Status Path::line_to(Point to) noexcept {
   return count_ == 0 ? Status::bad_argument : add(to_q16(to.x), to_q16(to.y));
 }
 
+// Whether a curve of so many chords can be added.
+Status Path::check(int32_t pieces) const noexcept {
+  if (count_ == 0 || pieces < 1 || pieces > 256) {
+    return Status::bad_argument;
+  }
+  return points_.size - count_ < static_cast<size_t>(pieces)
+             ? Status::buffer_small
+             : Status::ok;
+}
+
 Status Path::cubic_to(Point control1,
                       Point control2,
                       Point to,
                       int32_t pieces) noexcept {
-  if (count_ == 0 || pieces < 1 || pieces > 256) {
-    return Status::bad_argument;
-  }
-  if (points_.size - count_ < static_cast<size_t>(pieces)) {
-    return Status::buffer_small;
-  }
+  INKCELL_TRY(check(pieces));
   const PathPoint from = points_[count_ - 1];
   const int32_t x[4] = {from.x.raw, to_q16(control1.x), to_q16(control2.x),
                         to_q16(to.x)};
@@ -174,13 +179,10 @@ Status Path::cubic_to(Point control1,
 }
 
 Status Path::arc_to(Point centre, Q16_16 turns, int32_t pieces) noexcept {
-  if (count_ == 0 || pieces < 1 || pieces > 256 || turns.raw > 4 << 16 ||
-      turns.raw < -(4 << 16)) {
+  if (turns.raw > 4 << 16 || turns.raw < -(4 << 16)) {
     return Status::bad_argument;
   }
-  if (points_.size - count_ < static_cast<size_t>(pieces)) {
-    return Status::buffer_small;
-  }
+  INKCELL_TRY(check(pieces));
   const PathPoint from = points_[count_ - 1];
   const int64_t centre_x = to_q16(centre.x);
   const int64_t centre_y = to_q16(centre.y);
@@ -269,8 +271,7 @@ PosedGlyph place(const Font& font,
     middle %= length;
     middle += middle < 0 ? length : 0;
   }
-  if (where.overflow == PathOverflow::hide &&
-      (middle < 0 || middle > length)) {
+  if (where.overflow == PathOverflow::hide && (middle < 0 || middle > length)) {
     posed.pose.opacity = 0;
   }
   const auto point_at = [&](int64_t at) {

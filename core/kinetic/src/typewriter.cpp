@@ -8,21 +8,11 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-// The bytes of the first so many code points.
-size_t bytes_of(Text text, int32_t letters) noexcept {
-  const size_t all = text.size;
-  while (letters > 0 && text.size != 0) {
-    next_code_point(text);
-    --letters;
-  }
-  return all - text.size;
-}
-
-int32_t letter_count(Text text) noexcept {
+// Takes up to so many letters off a text; returns how many.
+int32_t take_letters(Text& text, int32_t most) noexcept {
   int32_t count = 0;
-  while (text.size != 0) {
+  for (; count < most && text.size != 0; ++count) {
     next_code_point(text);
-    ++count;
   }
   return count;
 }
@@ -30,7 +20,8 @@ int32_t letter_count(Text text) noexcept {
 }  // namespace
 
 int32_t Typewriter::end_ms() const noexcept {
-  const int64_t end = int64_t{letter_count(text_)} * letter_ms_;
+  Text text = text_;
+  const int64_t end = int64_t{take_letters(text, INT32_MAX)} * letter_ms_;
   return static_cast<int32_t>(end < kNever ? end : kNever);
 }
 
@@ -48,7 +39,9 @@ Rect Typewriter::at(int32_t now_ms, const Painter& painter) noexcept {
   const int32_t x_before = caret_x_;
   const bool is_first = x_before == INT32_MIN;
   const int32_t end = end_ms();
-  shown_ = bytes_of(text_, now_ms < 0 ? 0 : now_ms / letter_ms_);
+  Text hidden = text_;
+  take_letters(hidden, now_ms < 0 ? 0 : now_ms / letter_ms_);
+  shown_ = text_.size - hidden.size;
   is_caret_on_ = now_ms < end || (now_ms - end) / kBlinkMs % 2 == 0;
   const Q26_6 width =
       painter.measure(*face_.font, *face_.style, {text_.data, shown_}).advance;

@@ -53,7 +53,6 @@ class Clock {
  private:
   Rect cell(int32_t digit) const noexcept;
   Q26_6 left_of(int32_t digit) const noexcept;
-  uint16_t glyph_of(uint32_t second, int32_t digit) const noexcept;
 
   Face face_;
   Point origin_;

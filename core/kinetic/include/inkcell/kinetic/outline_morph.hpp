@@ -75,14 +75,13 @@ class OutlineMorph {
  private:
   friend class MorphFrame;
 
-  // False: it is at one of its ends. With a box nothing is drawn.
-  bool draw_between(const Painter& painter,
-                    const Style& style,
-                    Point origin,
-                    Q16_16 progress,
-                    MorphPoints* points,
-                    Rect* box) const noexcept;
-  uint16_t end_at(Q16_16 progress) const noexcept;
+  // With a box nothing is drawn.
+  void draw_or_box(const Painter& painter,
+                   const Style& style,
+                   Point origin,
+                   Q16_16 progress,
+                   MorphPoints* points,
+                   Rect* box) const noexcept;
 
   const Font* font_ = nullptr;
   Span<const uint8_t> record_;

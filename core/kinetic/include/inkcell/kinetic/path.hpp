@@ -74,6 +74,7 @@ class Path {
 
  private:
   Status add(int64_t x_q16, int64_t y_q16) noexcept;
+  Status check(int32_t pieces) const noexcept;
 
   Span<PathPoint> points_;
   size_t count_ = 0;
