@@ -178,8 +178,11 @@ FieldPlace FieldRows::place_of(int64_t x_q8, int64_t y_q8) const noexcept {
   // Far from anything to see they are clamped, to stay within 64 bits once
   // multiplied.
   constexpr int64_t kFar = int64_t{1} << 37;
-  const int64_t right_q10 = clamp(x_q8 * 4 + 512 - x_q10_, -kFar, kFar);
-  const int64_t up_q10 = clamp(y_q10_ - (y_q8 * 4 + 512), -kFar, kFar);
+  const auto clamped = [](int64_t at_q10) {
+    return at_q10 < -kFar ? -kFar : at_q10 > kFar ? kFar : at_q10;
+  };
+  const int64_t right_q10 = clamped(x_q8 * 4 + 512 - x_q10_);
+  const int64_t up_q10 = clamped(y_q10_ - (y_q8 * 4 + 512));
   return {(right_q10 * right_.x_q16 + up_q10 * up_.x_q16) >> 10,
           (right_q10 * right_.y_q16 + up_q10 * up_.y_q16) >> 10};
 }

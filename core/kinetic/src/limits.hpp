@@ -1,4 +1,4 @@
-// Minimum, maximum, absolute value, clamp, rough lengths.
+// Minimum, maximum, absolute value, clamps, rough lengths.
 #pragma once
 
 #include <stdint.h>
@@ -9,20 +9,13 @@ namespace inkcell {
 namespace kinetic {
 
 using detail::abs;
+using detail::clamp;
+using detail::clamp_i64;
 using detail::max;
 using detail::min;
 
 constexpr int32_t kOneQ13 = 1 << 13;
 constexpr int32_t kOneQ14 = 1 << 14;
-
-inline int32_t clamp(int32_t value, int32_t low, int32_t high) noexcept {
-  return value < low ? low : value > high ? high : value;
-}
-
-// Clamps sums and products that may not fit 32 bits.
-inline int32_t clamp_i64(int64_t value, int32_t low, int32_t high) noexcept {
-  return static_cast<int32_t>(value < low ? low : value > high ? high : value);
-}
 
 // The length of a vector of components >= 0, within 3 %: max(m, 7/8 m + n / 2)
 // with m >= n.

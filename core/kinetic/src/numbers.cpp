@@ -8,6 +8,8 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
+using detail::magnitude;
+
 constexpr int32_t kQuarter = 1 << 14;  // of a turn
 
 // sin(pi x / 2) for 0 <= x <= 1. [Q14 -> Q14] A minimax polynomial, within
@@ -28,11 +30,6 @@ int32_t eighth_angle(int32_t x_q15) noexcept {
   sum = -3445 + ((sum * square) >> 15);
   sum = 10429 + ((sum * square) >> 15);
   return (sum * x_q15 + (1 << 14)) >> 15;
-}
-
-uint32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? 0u - static_cast<uint32_t>(value)
-                   : static_cast<uint32_t>(value);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Minimum, maximum and absolute value.
+// Minimum, maximum, absolute value and clamps.
 #pragma once
 
 #include <stdint.h>
@@ -19,6 +19,19 @@ inline int32_t max(int32_t a, int32_t b) noexcept {
 inline int32_t abs(int32_t value) noexcept {
   INKCELL_ASSERT(value != INT32_MIN);
   return value < 0 ? -value : value;
+}
+
+inline uint32_t magnitude(int32_t value) noexcept {
+  const auto same = static_cast<uint32_t>(value);
+  return value < 0 ? 0 - same : same;
+}
+
+inline int32_t clamp(int32_t value, int32_t low, int32_t high) noexcept {
+  return value < low ? low : value > high ? high : value;
+}
+// Clamps sums and products that may not fit 32 bits.
+inline int32_t clamp_i64(int64_t value, int32_t low, int32_t high) noexcept {
+  return static_cast<int32_t>(value < low ? low : value > high ? high : value);
 }
 
 // The quotient, rounded towards 0. Unsigned: division of signed numbers is one

@@ -9,13 +9,6 @@
 namespace inkcell {
 namespace detail {
 
-inline int64_t clamp(int64_t value, int64_t low, int64_t high) noexcept {
-  if (value < low) {
-    return low;
-  }
-  return value > high ? high : value;
-}
-
 // Where a glyph stands: an origin that is near enough to show something.
 // Windows lie within 2^15 px, and no glyph reaches farther than 2^16 px. [Q10]
 struct Placed {

@@ -1,20 +1,18 @@
 // Sizes, directions and matrices as the numbers that drawing needs.
 #include "inkcell/style.hpp"
 
+#include "base/math.hpp"
 #include "base/root.hpp"
 #include "inkcell/font.hpp"
 
 namespace inkcell {
 namespace {
 
+using detail::magnitude;
+
 // The length of a vector, rounded down; components below 2^30.
 int64_t length_of(int64_t x, int64_t y) noexcept {
   return detail::root_of(static_cast<uint64_t>(x * x + y * y));
-}
-
-uint32_t magnitude(int32_t value) noexcept {
-  const auto same = static_cast<uint32_t>(value);
-  return value < 0 ? 0 - same : same;
 }
 
 // An entry of a matrix over the size. [px, Q16 -> Q30]
@@ -153,16 +151,14 @@ Q26_6 size_for(const Font& font,
     GlyphMetrics ink;
     if (font.glyph_of(first, glyph) == Status::ok &&
         font.glyph_metrics(glyph, ink) == Status::ok) {
-      top = ink.y_max > top ? ink.y_max : top;
+      top = detail::max(top, ink.y_max);
     }
   }
   top = top > 0 ? top : font.metrics().cap_height;
-  const uint32_t em = font.units_per_em();  // at most 2^14
-  const uint32_t units = top > 0 ? static_cast<uint32_t>(top) : em;
-  const int32_t high = height.raw < kMaxSize.raw ? height.raw : kMaxSize.raw;
-  const uint32_t high_q6 = high > 0 ? static_cast<uint32_t>(high) : 0;
+  const int32_t em = font.units_per_em();  // at most 2^14
+  const int32_t high_q6 = detail::clamp(height.raw, 0, kMaxSize.raw);
   // Rounded down, so that no ink is in another row.
-  return Q26_6::from_raw(static_cast<int32_t>(high_q6 * em / units));
+  return Q26_6::from_raw(detail::quotient(high_q6 * em, top > 0 ? top : em));
 }
 
 }  // namespace

@@ -1,27 +1,21 @@
 #include "inkcell/number_text.hpp"
 
+#include "base/math.hpp"
+
 namespace inkcell {
 namespace {
 
-constexpr int32_t kMostDecimals = 9;
-constexpr int32_t kMostDigits = 10;
+using detail::clamp;
+using detail::magnitude;
 
-int32_t clamped(int32_t value, int32_t least, int32_t most) noexcept {
-  return value < least ? least : (value > most ? most : value);
-}
-
-// 10 to the power of 0..9.
-uint32_t power_of_ten(int32_t exponent) noexcept {
+// 10 to the power of `exponent`, which is clamped to 0..9.
+uint32_t power_of_ten(int32_t& exponent) noexcept {
+  exponent = clamp(exponent, 0, 9);
   uint32_t power = 1;
-  while (exponent-- > 0) {
+  for (int32_t i = 0; i < exponent; ++i) {
     power *= 10;
   }
   return power;
-}
-
-uint32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? 0u - static_cast<uint32_t>(value)
-                   : static_cast<uint32_t>(value);
 }
 
 }  // namespace
@@ -30,7 +24,6 @@ NumberText::NumberText(int32_t value,
                        int32_t decimals,
                        int32_t digits,
                        char point) noexcept {
-  decimals = clamped(decimals, 0, kMostDecimals);
   const uint32_t one = power_of_ten(decimals);
   const uint32_t units = magnitude(value);
   set(value < 0, units / one, units % one, decimals, digits, point);
@@ -41,7 +34,6 @@ void NumberText::set_fixed(int32_t raw,
                            int32_t decimals,
                            int32_t digits,
                            char point) noexcept {
-  decimals = clamped(decimals, 0, kMostDecimals);
   const uint32_t one = power_of_ten(decimals);
   const uint32_t units = magnitude(raw);
   uint32_t whole = units >> fraction_bits;
@@ -67,7 +59,7 @@ void NumberText::set(bool is_negative,
     put(part, decimals);
     bytes_[--begin_] = point;
   }
-  put(whole, clamped(digits, 1, kMostDigits));
+  put(whole, clamp(digits, 1, 10));
   if (is_negative) {
     bytes_[--begin_] = '-';
   }

@@ -93,11 +93,6 @@ class RunCursor {
   bool has_letter_ = false;
 };
 
-void widen(int32_t low, int32_t high, int32_t& min, int32_t& max) noexcept {
-  min = low < min ? low : min;
-  max = high > max ? high : max;
-}
-
 Status place_run(RunCursor cursor,
                  const ShapedRun& run,
                  Span<PositionedGlyph> out,
@@ -117,16 +112,11 @@ Status place_run(RunCursor cursor,
 TextMeasure measure_run(const Font& font,
                         RunCursor cursor,
                         const ShapedRun& run) noexcept {
-  TextMeasure sum = {0, INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+  TextMeasure sum = detail::kNoInk;
   PositionedGlyph at;
   for (const ShapedGlyph& next : run.glyphs) {
     cursor.next(next, at);
-    GlyphMetrics glyph;
-    if (font.glyph_metrics(at.glyph, glyph) == Status::ok &&
-        glyph.x_max > glyph.x_min) {
-      widen(at.x + glyph.x_min, at.x + glyph.x_max, sum.x_min, sum.x_max);
-      widen(at.y + glyph.y_min, at.y + glyph.y_max, sum.y_min, sum.y_max);
-    }
+    detail::add_ink(font, at, sum);
   }
   if (sum.x_max < sum.x_min) {
     sum = {};

@@ -9,6 +9,7 @@ namespace inkcell {
 namespace {
 
 using detail::Advances;
+using detail::clamp;
 using detail::UnitScale;
 
 constexpr uint32_t kReplacement = 0xfffd;
@@ -62,11 +63,6 @@ bool find_glyph(const Font& font,
   }
   return shown == detail::Shown::space &&
          font.glyph_of(' ', glyph) == Status::ok;
-}
-
-// A position plus an advance has 32 bits.
-int32_t clamped(int32_t at, int32_t limit) noexcept {
-  return detail::min(detail::max(at, -limit), limit);
 }
 
 }  // namespace
@@ -137,7 +133,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
             ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
             : 0;
     const int32_t limit = advances.limit();
-    const int32_t at = clamped(advance_ + kerning, limit);
+    const int32_t at = clamp(advance_ + kerning, -limit, limit);
     // Positions are sums of advances, each converted by itself: nothing
     // accumulates.
     out.x = advances.to_units(at);
@@ -177,22 +173,13 @@ Status detail::lay_out(TextCursor cursor,
 }
 
 TextMeasure detail::measure(const Font& font, TextCursor cursor) noexcept {
-  TextMeasure sum;
+  TextMeasure sum = detail::kNoInk;
   PositionedGlyph at;
-  bool inked = false;
   while (cursor.next(at)) {
-    GlyphMetrics glyph;
-    if (font.glyph_metrics(at.glyph, glyph) != Status::ok ||
-        glyph.x_max <= glyph.x_min) {
-      continue;
-    }
-    const int32_t left = at.x + glyph.x_min;
-    const int32_t right = at.x + glyph.x_max;
-    sum.x_min = !inked || left < sum.x_min ? left : sum.x_min;
-    sum.x_max = !inked || right > sum.x_max ? right : sum.x_max;
-    sum.y_min = !inked || glyph.y_min < sum.y_min ? glyph.y_min : sum.y_min;
-    sum.y_max = !inked || glyph.y_max > sum.y_max ? glyph.y_max : sum.y_max;
-    inked = true;
+    detail::add_ink(font, at, sum);
+  }
+  if (sum.x_max < sum.x_min) {
+    sum = {};
   }
   sum.advance = cursor.advance();
   return sum;
@@ -211,12 +198,8 @@ TextMeasure measure(const Font& font, Text text) noexcept {
 
 Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {
   const int64_t fine = UnitScale(font, style).to_px_q10(units);
-  const int64_t rounded = (fine + 8) >> 4;
-  if (rounded < INT32_MIN) {
-    return Q26_6::from_raw(INT32_MIN);
-  }
   return Q26_6::from_raw(
-      static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
+      detail::clamp_i64((fine + 8) >> 4, INT32_MIN, INT32_MAX));
 }
 
 PixelMeasure to_px(const Font& font,

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "base/math.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
@@ -62,6 +63,23 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
                                                  const PositionedGlyph& at,
                                                  Placed& out) noexcept {
   return out.set(place(scale, style, origin, at));
+}
+
+// Ink that is not there yet, to add() to.
+inline constexpr TextMeasure kNoInk = {0, INT32_MAX, INT32_MAX, INT32_MIN,
+                                       INT32_MIN};
+
+inline void add_ink(const Font& font,
+                    const PositionedGlyph& at,
+                    TextMeasure& sum) noexcept {
+  GlyphMetrics ink;
+  if (font.glyph_metrics(at.glyph, ink) == Status::ok &&
+      ink.x_max > ink.x_min) {
+    sum.x_min = min(sum.x_min, at.x + ink.x_min);
+    sum.x_max = max(sum.x_max, at.x + ink.x_max);
+    sum.y_min = min(sum.y_min, at.y + ink.y_min);
+    sum.y_max = max(sum.y_max, at.y + ink.y_max);
+  }
 }
 
 // The nearest whole pixel. Far away it may wrap, but not to where it would be
