@@ -258,15 +258,18 @@ TEST(text_on_a_circle_is_that_of_cpp) {
   target.level = 255;
   inkcell_sink_t sink;
   CHECK_EQ(inkcell_grey8_sink(&target, &sink), INKCELL_OK);
-  const inkcell_text_circle_t circle = {
-      32 << 6,           32 << 6, 20 << 6, 3 << 14, INKCELL_CIRCLE_INSIDE,
-      INKCELL_ANCHOR_RIGHT};
+  const inkcell_text_circle_t circle = {32 << 6,
+                                        32 << 6,
+                                        20 << 6,
+                                        3 << 14,
+                                        INKCELL_CIRCLE_INSIDE,
+                                        INKCELL_ANCHOR_RIGHT};
   const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
   inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
                          &circle);
   inkcell_rect_t pixels;
   inkcell_circle_box(&font, kText, INKCELL_TERMINATED, &style, &circle,
-                        &pixels);
+                     &pixels);
   const Style same(12_px);
   const kinetic::TextCircle same_circle = {{32, 32},
                                            20_px,
@@ -281,7 +284,6 @@ TEST(text_on_a_circle_is_that_of_cpp) {
   CHECK(pixels.x0 == box.x0 && pixels.y0 == box.y0);
   CHECK(pixels.x1 == box.x1 && pixels.y1 == box.y1);
   style = {};
-  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
   inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
                          &circle);
   CHECK_EQ(differences(by_c, by_cpp), 0);

@@ -32,5 +32,5 @@ TEST(strings_of_char8_are_texts) {
   CHECK(box.x1 > box.x0);
   CHECK_EQ(box.x1, Painter().box(font, style, {5, 30}, "AD").x1);
   ValueLabel value(font, style, {5, 30});
-  CHECK_EQ(value.set(u8"AD").x1, box.x1);
+  CHECK_EQ(value.set(u8"AD", {}).x1, box.x1);
 }

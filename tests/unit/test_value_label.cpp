@@ -4,8 +4,8 @@
 
 #include "check.hpp"
 #include "inkcell/fit.hpp"
-#include "inkcell/port/grey2.hpp"
 #include "inkcell/number_text.hpp"
+#include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey8.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/mono_rows.hpp"
