@@ -13,7 +13,9 @@
 #   $(eval $(call inkcell_c_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E,U+B0))
 #
 # $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags. Fonts
-# are made anew when their file or their options change.
+# are made anew when their options change, or a file that they are made of: faces,
+# texts, strings, icons. An icon that is new counts, unless it is in the folder of the
+# Makefile.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
 # needs pixel), cache, field, kinetic, layout, stored, c (which needs all but stored).
@@ -73,7 +75,8 @@ define inkcell_rule
 inkcell_goal := $$(.DEFAULT_GOAL)
 $(INKCELL_FONTS)/fonts/$(1).$(4): $(2) $(INKCELL_FONTS)/fonts/$(1).options \
     $(filter-out inkcell-fontgen,$(INKCELL_FONTGEN))
-	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) $(5) --quiet --out=$$@
+	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) $(5) --quiet --out=$$@ --depfile=$$@.d
+-include $(INKCELL_FONTS)/fonts/$(1).$(4).d
 $(if $(5),$(INKCELL_FONTS)/fonts/$(1).h: $(INKCELL_FONTS)/fonts/$(1).c)
 $(INKCELL_FONTS)/fonts/$(1).options: inkcell_always
 	@mkdir -p $$(@D)

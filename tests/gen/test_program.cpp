@@ -538,7 +538,8 @@ TEST_F(Program, WritesDependencies) {
   const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.d");
   const std::string folder = folder_.path().string();
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()),
-            "a\\ b.hpp: " + folder + "/plain.ttf " + folder + "/t.txt\n");
+            "a\\ b.hpp: " + folder + "/plain.ttf " + folder + "/t.txt\n" +
+                folder + "/plain.ttf:\n" + folder + "/t.txt:\n");
 }
 
 TEST_F(Program, FollowsTheEndingOfTheFile) {

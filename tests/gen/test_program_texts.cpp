@@ -55,8 +55,9 @@ TEST_F(ProgramTexts, TakesCharactersOfSources) {
             0);
   EXPECT_EQ(report().at("characters"), 3);  // with a space
   const std::string folder = folder_.path().string();
-  EXPECT_EQ(text_of("a.d"), "a.bin: " + folder + "/plain.ttf " + folder +
-                                "/src/a.c " + folder + "/src/sub/b.cpp\n");
+  EXPECT_EQ(text_of("a.d").find("a.bin: " + folder + "/plain.ttf " + folder +
+                                "/src/a.c " + folder + "/src/sub/b.cpp\n"),
+            0U);
   // A shell expands a pattern to several files.
   ASSERT_EQ(
       run(folder_, out + "--strings-from src/a.c src/sub/b.cpp --quiet").code,

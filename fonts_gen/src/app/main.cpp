@@ -1,4 +1,5 @@
 // inkcell-fontgen: makes a ROM font from a font file.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -117,8 +118,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Draw every glyph, and below it the bytes it takes and its "
                  "worst error in 1/255")
       ->type_name("FILE.png");
-  app.add_option("--depfile", arguments.depfile,
-                 "Write the files that were read as a Makefile rule")
+  app.add_option(
+         "--depfile", arguments.depfile,
+         "Write the files and folders that were read as a rule of Make, "
+         "for builds that make the font anew after a change")
       ->type_name("FILE");
   app.add_option_function<std::string>(
          "--part",
@@ -176,16 +179,41 @@ std::string escape(const std::string& path) {
   return out;
 }
 
+// Folders whose files are icons: one that comes or goes changes the font. Not
+// those in which a build writes, too, and would change them each time.
+std::vector<std::filesystem::path> watched_folders(const Arguments& arguments) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::filesystem::path& folder : arguments.request.svg_folders) {
+    const auto is_written = [&folder](const std::filesystem::path& out) {
+      return tools::is_same_file(folder, tools::folder_of(out));
+    };
+    if (!is_written("out") &&
+        std::none_of(arguments.out.begin(), arguments.out.end(), is_written)) {
+      folders.push_back(folder);
+    }
+  }
+  return folders;
+}
+
+// A rule for Make and Ninja. Inputs are targets without a rule, too: Make then
+// takes one that is gone for changed.
 std::string dependencies(const Arguments& arguments) {
+  std::vector<std::filesystem::path> inputs = inputs_of(arguments.request);
+  for (const std::filesystem::path& folder : watched_folders(arguments)) {
+    inputs.push_back(folder);
+  }
   std::string rule;
+  std::string absent;
   for (const std::string& out : arguments.out) {
     rule += (rule.empty() ? "" : " ") + escape(out);
   }
   rule += ":";
-  for (const std::filesystem::path& file : inputs_of(arguments.request)) {
-    rule += " " + escape(std::filesystem::absolute(file).string());
+  for (const std::filesystem::path& file : inputs) {
+    const std::string path = escape(std::filesystem::absolute(file).string());
+    rule += " " + path;
+    absent += path + ":\n";
   }
-  return rule + "\n";
+  return rule + "\n" + absent;
 }
 
 // Writes all files first, then moves them to their places, the font last: if
