@@ -65,7 +65,7 @@ def add_examples(folder, font, fontgen):
         name, characters = FONTS.get(example.name, DEFAULT_FONT)
         subprocess.run(
             [fontgen, f"--font={font}", f"--symbols={characters}",
-             f"--name={name}", "--format=hpp", "--quiet",
+             f"--name={name}", "--quiet",
              f"--out={folder / example.name / name}.h"], check=True)
 
 

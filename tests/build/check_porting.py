@@ -1,18 +1,31 @@
 """Checks docs/PORTING.md and others that have code: each block is code of the project,
 which its tests compile, and the paths of the first exist. CMake's lines of the others
-configure a project.
+configure a project, and lines of inkcell-fontgen make fonts.
 
 Usage: check_porting.py WORK_FOLDER FONTGEN
 """
 
 import pathlib
 import re
+import shlex
 import shutil
 import sys
 
 from toolchains import ROOT, run
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+FONTS = pathlib.Path("/usr/share/fonts")
+FONT = FONTS / "truetype/dejavu/DejaVuSans.ttf"
+# What lines of inkcell-fontgen read, wherever they are, and what is made of a
+# set of characters that would take minutes.
+INPUTS = {
+    "DejaVuSans.ttf": FONT, "Sans.ttf": FONT, "FONT.ttf": FONT,
+    "Loma.ttf": FONTS / "truetype/tlwg/Loma.ttf",
+    "NotoSansCJK-Regular.ttc": FONTS / "opentype/noto/NotoSansCJK-Regular.ttc",
+    "ui.txt": "title = Hello\n",
+    "src/menu.c": 'const char* title = "Menu";\n',
+    "po/zh.po": 'msgid "menu"\nmsgstr "\u83dc\u5355"\n',
+}
+FEWER = {"0x4E00-0x9FFF": "0x4E00-0x4E1F"}
 SOURCES = ["boards", "core", "port", "tests"]
 
 
@@ -36,6 +49,36 @@ def configure(lines, work, fontgen):
     return [result.stdout] if result.returncode != 0 else []
 
 
+def commands():
+    """Lines of inkcell-fontgen in documents and heads of files."""
+    files = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")),
+             *sorted((ROOT / "fonts_gen").rglob("*.md")),
+             ROOT / "port/arduino/pack.py"]
+    return {line: path.relative_to(ROOT) for path in files
+            if path.name != "CHANGELOG.md"
+            for line in re.findall(
+                r"^ {4}(?:npx )?(inkcell-fontgen --font .*)", path.read_text(),
+                re.M)}
+
+
+def run_commands(lines, work, fontgen):
+    """Lines that do not work."""
+    shutil.rmtree(work, ignore_errors=True)
+    for name, content in INPUTS.items():
+        (work / name).parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(content, pathlib.Path):
+            (work / name).symlink_to(content)
+        else:
+            (work / name).write_text(content)
+    problems = []
+    for line, place in lines.items():
+        words = [FEWER.get(word, word) for word in shlex.split(line)[1:]]
+        result = run([fontgen, *words, "--quiet"], cwd=work)
+        if result.returncode != 0:
+            problems.append(f"{place}: {line}\n{result.stdout}")
+    return problems
+
+
 def main():
     work, fontgen = map(pathlib.Path, sys.argv[1:])
     text = (ROOT / "docs/PORTING.md").read_text()
@@ -55,6 +98,10 @@ def main():
                                           re.M | re.S):
             (lines if language == "cmake" else blocks).append(block)
     problems += configure("".join(lines), work, fontgen)
+    calls = commands()
+    problems += run_commands(calls, work / "fonts", fontgen)
+    if len(calls) < 8:
+        problems.append("the lines of inkcell-fontgen were not found")
     if len(blocks) < 8:
         problems.append("the code blocks were not found")
     for block in blocks:
@@ -86,8 +133,9 @@ def main():
 
     for problem in problems:
         print(problem)
-    print(f"{len(blocks)} code blocks, {len(paths)} paths, "
-          f"{len(variables)} variables, {len(problems)} problems")
+    print(f"{len(blocks)} code blocks, {len(calls)} lines of inkcell-fontgen, "
+          f"{len(paths)} paths, {len(variables)} variables, "
+          f"{len(problems)} problems")
     return 1 if problems else 0
 
 

@@ -557,13 +557,25 @@ TEST_F(Program, FollowsTheEndingOfTheFile) {
   }
 }
 
+TEST_F(Program, TakesAHeaderForCxx) {
+  const std::string options = "--font plain.ttf --symbols H --quiet --out ";
+  ASSERT_EQ(run(folder_, options + "plain.hpp").code, 0);
+  for (const char* name : {"plain.h", "plain.hh", "plain.hxx"}) {
+    const Outcome result = run(folder_, options + name);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(read_file(folder_.path() / name),
+              read_file(folder_.path() / "plain.hpp"));
+  }
+}
+
 TEST_F(Program, AsksWhichLanguageASourceIsIn) {
-  for (const char* name : {"a.h", "a.hh", "a.hxx", "a.cpp", "a.cc", "a.cxx"}) {
+  for (const char* name : {"a.cpp", "a.cc", "a.cxx"}) {
     const std::string options =
         std::string("--font plain.ttf --symbols H --quiet --out ") + name;
     const Outcome result = run(folder_, options);
     EXPECT_EQ(result.code, 1) << name;
-    EXPECT_NE(result.err.find("--format hpp"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err, "error: " + std::string(name) +
+                              ": add --format hpp, for C++, or --format c\n");
     EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
     EXPECT_EQ(run(folder_, options + " --format c").code, 0) << name;
     std::filesystem::remove(folder_.path() / name);

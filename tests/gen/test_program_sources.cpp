@@ -134,5 +134,19 @@ TEST_F(ProgramSources, WritesSourcesThatCompile) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+// A header of C++ that is included in C names the remedy.
+TEST_F(ProgramSources, TellsAProgramInCWhatToMake) {
+  ASSERT_EQ(
+      run(folder_, "--font plain.ttf --symbols H --out plain.h --quiet").code,
+      0);
+  const std::string line = "#include \"plain.h\"\n";
+  folder_.write("main.c", std::vector<uint8_t>(line.begin(), line.end()));
+  const std::string command =
+      "cd '" + folder_.path().string() +
+      "' && ! cc -fsyntax-only main.c 2>said && "
+      "grep -q -e '--out plain.c --header plain.h' said";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
 }  // namespace
 }  // namespace inkcell::gen::test

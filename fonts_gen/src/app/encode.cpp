@@ -134,7 +134,10 @@ std::string encode_hpp(const RomFont& font,
                        const std::string& section) {
   std::string out = "// " + provenance(font) +
                     ".\n// Made by inkcell-fontgen: do not edit.\n"
-                    "#pragma once\n\n#include <stdint.h>\n\n";
+                    "#pragma once\n\n#ifndef __cplusplus\n"
+                    "#error \"this font is for C++; for C make it with --out " +
+                    name + ".c --header " + name +
+                    ".h\"\n#endif\n\n#include <stdint.h>\n\n";
   out += font.strings.empty() ? "" : "#include \"inkcell/shaped_run.hpp\"\n";
   out += "#include \"inkcell/version.hpp\"\n\n";
   out += "static_assert(inkcell::reads_format(" + std::to_string(kFormatMajor) +

@@ -79,8 +79,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
            }
            arguments.format = found->second;
          },
-         "Form of the output [hpp or c if --out ends so; bin, if it does not "
-         "look like source]")
+         "Form of the output [hpp, a header of C++, if --out ends in .hpp, .h, "
+         ".hh or .hxx; c if in .c; else bin]")
       ->type_name("bin|hpp|c");
   app.add_option("--name", arguments.name,
                  "Identifier in hpp and c [from the font file]")
@@ -157,14 +157,18 @@ OutputFormat format_of(const Arguments& arguments, const std::string& out) {
   if (arguments.format.has_value()) {
     return *arguments.format;
   }
-  for (const char* source : {".h", ".hh", ".hxx", ".cpp", ".cc", ".cxx"}) {
+  for (const char* source : {".cpp", ".cc", ".cxx"}) {
     if (ending == source) {
       throw Error(out + ": add --format hpp, for C++, or --format c");
     }
   }
-  return ending == ".hpp" ? OutputFormat::hpp
-         : ending == ".c" ? OutputFormat::c
-                          : OutputFormat::bin;
+  // A header with an array is one of C++: C has it in a source.
+  for (const char* header : {".hpp", ".h", ".hh", ".hxx"}) {
+    if (ending == header) {
+      return OutputFormat::hpp;
+    }
+  }
+  return ending == ".c" ? OutputFormat::c : OutputFormat::bin;
 }
 
 // A path in a Makefile rule.
@@ -268,7 +272,7 @@ void check_forms(const Arguments& arguments) {
   if (arguments.format.has_value() && arguments.out.size() > 1) {
     throw Error(
         "--format: with more than one --out the ending of each says its form, "
-        ".hpp, .c or another one, which is bin; leave --format out");
+        ".hpp or .h, .c, or another one, which is bin; leave --format out");
   }
   if (!arguments.header.empty() && !has_c) {
     throw Error("--header is for --format c; --format hpp is a header");
