@@ -3,6 +3,7 @@
 #   inkcell_add_font(<target> [FONT <file>]
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
+#     [SET <name>...]          latin-1, greek, gb2312-1, ...: `--help` lists all
 #     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
 #     [STRINGS_FROM <C or C++ file, translation, or src/**/*.c>...]
 #     [STRINGS <file of strings>...] [STRICT]
@@ -202,7 +203,7 @@ function(inkcell_add_font target)
     HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
     SVG_BASELINE)
   set(several
-    CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
+    CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
   set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "${flags}" "${single}" "${several}")
   # A word that stands where characters do is a misspelt option.
@@ -291,7 +292,7 @@ function(inkcell_add_font target)
   if(arg_NO_LAYOUT_GLYPHS)
     list(APPEND options --no-layout-glyphs)
   endif()
-  foreach(word CHARS AXIS MORPH)
+  foreach(word CHARS SET AXIS MORPH)
     string(TOLOWER "--${word}" option)
     foreach(value IN LISTS arg_${word})
       list(APPEND options "${option}=${value}")

@@ -37,6 +37,7 @@ CASES = [
     (f"app {THERE} BEST_EFFORT", ""),
     (f'app {THERE} INSTANCE "Semi Bold" AXIS wdth=90', ""),
     (f"app {THERE} AXIS wdth=90 wght=300..800 CHARS A", ""),
+    (f"app {THERE} SET latin-1 greek,cyrillic CHARS 0x2190", ""),
     (f"app {THERE} TEXT words.txt", "not understood: TEXT"),
     (f"app {THERE} STRINGS ui.txt STRINGS_FROM src/**/*.c STRICT "
      "NO_LAYOUT_GLYPHS", ""),

@@ -1,5 +1,5 @@
-"""Checks that the tables of core/layout/src are what their script makes, that
-those of a part of Unicode take no more than 2 KB, and that the marks of
+"""Checks that the tables of core/layout/src and the character sets of the
+generator are what their scripts make, that those of a part of Unicode take no more than 2 KB, and that the marks of
 core/src/text/blank.cpp are those of Unicode, each in the blocks that it names.
 
 Usage: check_unicode.py WORK_FOLDER
@@ -17,6 +17,8 @@ MOST_BYTES = 2048
 # Tables, and bytes of what a part makes of its own besides: the pairs of
 # classes of line_break.cpp.
 TABLES = {"line_tables.cpp": 31 * 4, "bidi_tables.cpp": 0}
+
+SETS = "east_asian_sets.cpp"
 
 # Blocks whose combining marks text knows.
 MARK_BLOCKS = [(0x300, 0x36f), (0x400, 0x4ff), (0x590, 0x5ff), (0x600, 0x6ff),
@@ -42,6 +44,15 @@ def problems_of_marks():
              for code in absent])
 
 
+def problems_of_sets(work):
+    made = run([sys.executable, "-B",
+                ROOT / "host_tools/unicode/make_char_sets.py", work])
+    source = ROOT / "fonts_gen/src/source" / SETS
+    same = made.returncode == 0 and (work / SETS).read_text() == source.read_text()
+    return [] if same else [f"{source} is not what make_char_sets.py makes: "
+                            f"{made.stdout}"]
+
+
 def main():
     work = pathlib.Path(sys.argv[1])
     made = run([sys.executable, "-B", ROOT / "host_tools/unicode/make_tables.py",
@@ -49,7 +60,7 @@ def main():
     print(made.stdout, end="")
     if made.returncode != 0:
         finish(0, [made.stdout])
-    problems = problems_of_marks()
+    problems = problems_of_marks() + problems_of_sets(work)
     for name, more in TABLES.items():
         text = (work / name).read_text()
         if text != (LAYOUT / name).read_text():

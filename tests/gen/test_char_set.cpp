@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "sfnt_builder.hpp"
 #include "source/char_set.hpp"
+#include "source/named_sets.hpp"
 
 namespace inkcell::gen::test {
 namespace {
@@ -88,6 +89,62 @@ TEST(CharSet, WritesUtf8) {
   EXPECT_EQ(describe(0x0a), "U+000A");
   EXPECT_EQ(describe(0xe001), "U+E001");
   EXPECT_EQ(describe(0xf0001), "U+F0001");
+}
+
+CharSet named(std::string_view list) {
+  CharSet set;
+  add_named_sets(list, set);
+  return set;
+}
+
+TEST(NamedSets, HaveWhatTheirStandardsHave) {
+  EXPECT_EQ(named("ascii"), ranges(kDefaultChars));
+  EXPECT_EQ(named("latin-1").size(), 95u + 96u);
+  EXPECT_EQ(named("latin-ext").size(), 128u + 5u + 15u);
+  EXPECT_EQ(named("greek").size(), 72u);
+  EXPECT_EQ(named("cyrillic").size(), 99u);
+  EXPECT_EQ(named("kana").size(), 83u + 4u + 86u + 4u);
+  EXPECT_EQ(named("cjk-signs").size(), 115u);
+  EXPECT_EQ(named("gb2312-1").size(), 3755u);
+  EXPECT_EQ(named("jis-1").size(), 2965u);
+  EXPECT_EQ(named("ks-x-1001").size(), 2350u);
+  // The first and the last of each table of the East, and one of level 2.
+  const CharSet china = named("gb2312-1");
+  EXPECT_EQ(china.count(U'\u554a') + china.count(U'\u5ea7'), 2u);
+  EXPECT_EQ(china.count(U'\u4e8d'), 0u);
+  const CharSet japan = named("jis-1");
+  EXPECT_EQ(japan.count(U'\u4e9c') + japan.count(U'\u8155'), 2u);
+  EXPECT_EQ(japan.count(U'\u5f0c'), 0u);
+  const CharSet korea = named("ks-x-1001");
+  EXPECT_EQ(korea.count(U'\uac00') + korea.count(U'\ud79d'), 2u);
+  EXPECT_EQ(korea.count(U'\uac02'), 0u);
+}
+
+TEST(NamedSets, AddUp) {
+  EXPECT_EQ(named("greek, cyrillic").size(), 72u + 99u);
+  EXPECT_EQ(named("ascii,latin-1"), named("latin-1"));
+  // Finnish, Polish, Romanian, Turkish, German, and the euro.
+  const CharSet europe = named("latin-1,latin-ext");
+  for (const char32_t c :
+       std::u32string(U"\u00e4\u0142\u021b\u0131\u1e9e\u201e\u20ac")) {
+    EXPECT_EQ(europe.count(c), 1u) << describe(c);
+  }
+}
+
+TEST(NamedSets, AreNamedWhereOneIsNotKnown) {
+  for (const char* list : {"latin1", "greek,", "", "greek,latin1"}) {
+    try {
+      named(list);
+      ADD_FAILURE() << list;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what())
+                    .find("is not known; there are ascii, latin-1, latin-ext, "
+                          "greek, cyrillic, kana, cjk-signs, gb2312-1, jis-1, "
+                          "ks-x-1001"),
+                std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 }  // namespace

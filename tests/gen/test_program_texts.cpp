@@ -70,6 +70,19 @@ TEST_F(ProgramTexts, TakesCharactersOfSources) {
   EXPECT_EQ(report().at("characters"), 2);
 }
 
+TEST_F(ProgramTexts, TakesNamedSets) {
+  const std::string out = "--font plain.ttf --out a.bin --quiet ";
+  EXPECT_EQ(run(folder_, out + "--set ascii --set greek,cyrillic").code, 0);
+  const std::string strict = run(folder_, out + "--set ascii --strict").err;
+  EXPECT_NE(strict.find("\n  --set: U+0021 '!'\n"), std::string::npos)
+      << strict;
+  const std::string unknown = run(folder_, out + "--set ascii,latin1").err;
+  EXPECT_EQ(unknown.find("error: --set: 'latin1' is not known; there are "
+                         "ascii, latin-1, "),
+            0u)
+      << unknown;
+}
+
 TEST_F(ProgramTexts, SaysWhatLanguagesCost) {
   write("po/de.po", "msgid \"x\"\nmsgstr \"Aä\"\n");
   write("po/pl.po",

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "program.hpp"
+#include "source/named_sets.hpp"
 
 namespace inkcell::gen {
 
@@ -107,6 +108,10 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
   take_one(app.add_option("--chars", request.chars,
                           "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "
                           "[0x20-0x7E if no character is asked for]"))
+      ->type_name("LIST");
+  take_one(app.add_option("--set", request.sets,
+                          "Named characters, such as latin-1,greek: " +
+                              known_sets() + "; repeatable"))
       ->type_name("LIST");
   app.add_option("--symbols", request.symbols, "Characters, as themselves")
       ->check(CLI::Validator(

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
+#include "source/named_sets.hpp"
 #include "texts/shown_texts.hpp"
 
 namespace inkcell::gen {
@@ -61,7 +62,12 @@ std::string place_of(const GenerateRequest& request,
     };
     const bool is_morph =
         std::any_of(request.morphs.begin(), request.morphs.end(), has);
+    CharSet named;
+    for (const std::string& list : request.sets) {
+      add_named_sets(list, named);
+    }
     place = has(request.symbols)    ? "--symbols: "
+            : named.count(c) != 0   ? "--set: "
             : is_morph              ? "--morph: "
             : request.merge.empty() ? "--chars: "
                                     : "--chars or --merge: ";

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "pipeline/font_morphs.hpp"
 #include "source/faces.hpp"
+#include "source/named_sets.hpp"
 #include "texts/file_pattern.hpp"
 #include "texts/shown_texts.hpp"
 
@@ -47,8 +48,9 @@ void check_request(const GenerateRequest& request) {
   }
   if (request.font.empty() &&
       !(request.merge.empty() && request.chars.empty() &&
-        request.text_files.empty() && request.symbols.empty() &&
-        request.strings_from.empty() && request.string_files.empty())) {
+        request.sets.empty() && request.text_files.empty() &&
+        request.symbols.empty() && request.strings_from.empty() &&
+        request.string_files.empty())) {
     throw Error(
         "--merge, characters and strings need a font file; add --font FILE");
   }
@@ -148,6 +150,9 @@ AskedCharacters characters_of(const GenerateRequest& request) {
   for (const std::string& list : request.chars) {
     add_ranges(list, asked.common);
   }
+  for (const std::string& list : request.sets) {
+    add_named_sets(list, asked.common);
+  }
   for (const std::filesystem::path& file : request.text_files) {
     add_text_file(file, asked.common);
   }
@@ -162,10 +167,11 @@ AskedCharacters characters_of(const GenerateRequest& request) {
   }
   add_text(request.symbols, "--symbols", asked.common);
   add_morph_characters(request, asked.common);
-  const bool has_lists =
-      !request.chars.empty() || !request.text_files.empty() ||
-      !request.strings_from.empty() || !request.symbols.empty() ||
-      !request.morphs.empty() || !request.string_files.empty();
+  const bool has_lists = !request.chars.empty() || !request.sets.empty() ||
+                         !request.text_files.empty() ||
+                         !request.strings_from.empty() ||
+                         !request.symbols.empty() || !request.morphs.empty() ||
+                         !request.string_files.empty();
   if (!has_lists) {
     add_ranges(kDefaultChars, asked.common);
   }

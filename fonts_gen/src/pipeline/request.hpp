@@ -32,9 +32,10 @@ struct GenerateRequest {
   std::string instance;        // of a variable font, by its name
   /// Where one moves to a second value, glyphs get a second master.
   AxisSettings axes;
-  /// Characters: the union of all four; printable ASCII if they are empty and
+  /// Characters: the union of all five; printable ASCII if they are empty and
   /// there are no strings.
   std::vector<std::string> chars;  // lists as add_ranges reads them
+  std::vector<std::string> sets;   // lists as add_named_sets reads them
   std::vector<std::filesystem::path> text_files;
   std::vector<std::string> strings_from;  // patterns, as shown_texts() reads
   std::string symbols;                    // UTF-8
