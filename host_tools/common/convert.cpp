@@ -12,6 +12,7 @@
 #include "app/progress.hpp"
 #include "inkcell/text.hpp"
 #include "source/char_set.hpp"
+#include "source/shaping_need.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -70,6 +71,15 @@ void warn_of_missing(const RomFile& rom,
   std::fprintf(stderr, "\n");
 }
 
+void warn_of_unshaped(const std::string& text) {
+  const std::vector<char32_t> points = from_utf8(text);
+  const std::u32string_view characters(points.data(), points.size());
+  for (const gen::UnshapedScript& script : gen::unshaped_scripts(characters)) {
+    std::fprintf(stderr, "warning: %s\n",
+                 gen::unshaped_message(script, characters).c_str());
+  }
+}
+
 }  // namespace
 
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
@@ -108,6 +118,7 @@ RomFile load_font_file(const std::filesystem::path& file,
       require_sound(rom, file);
     }
     warn_of_missing(rom, file, text);
+    warn_of_unshaped(text);
     return rom;
   }
   gen::GenerateRequest request = conversion.request;

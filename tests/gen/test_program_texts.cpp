@@ -70,6 +70,35 @@ TEST_F(ProgramTexts, TakesCharactersOfSources) {
   EXPECT_EQ(report().at("characters"), 2);
 }
 
+TEST_F(ProgramTexts, TellsWhatNeedsShapingAndIsNot) {
+  const std::string out = "--font plain.ttf --out a.hpp --quiet ";
+  const auto said = [&](const std::string& options) {
+    const std::string err = run(folder_, out + options).err;
+    const size_t first = err.find(" is drawn unshaped, from ");
+    const size_t end = err.find(" on: ", first);
+    return first == std::string::npos
+               ? std::string()
+               : err.substr(err.rfind('\n', first) + 1,
+                            end - err.rfind('\n', first) - 1);
+  };
+  write("plain.txt", "H\n\n.\n");
+  write("arabic.txt", "H\n\nH \u0633.\n");
+  write("a.c", "f(\"H\");\ng(\"\u0928\u092e\u0938\u094d\");\n");
+  write("ui.txt", "title = \u0633H\n");
+  EXPECT_EQ(said("--text-file plain.txt"), "");
+  EXPECT_EQ(said("--text-file plain.txt --text-file arabic.txt"),
+            "warning: arabic.txt:3: Arabic is drawn unshaped, from U+0633 "
+            "'\u0633'");
+  EXPECT_EQ(said("--strings-from a.c"),
+            "warning: a.c:2: Devanagari is drawn unshaped, from U+094D "
+            "'\u25cc\u094d'");
+  EXPECT_EQ(said("--symbols H\u0633"),
+            "warning: Arabic is drawn unshaped, from U+0633 '\u0633'");
+  // What is shaped, and what is a list of characters.
+  EXPECT_EQ(said("--strings ui.txt --chars H"), "");
+  EXPECT_EQ(said("--chars H,0x633"), "");
+}
+
 TEST_F(ProgramTexts, TakesNamedSets) {
   const std::string out = "--font plain.ttf --out a.bin --quiet ";
   EXPECT_EQ(run(folder_, out + "--set ascii --set greek,cyrillic").code, 0);

@@ -61,6 +61,23 @@ TEST(Convert, WarnsOfWhatShowsAsNotdef) {
             "'.'\n");
 }
 
+// Once, whether the font is converted or was.
+TEST(Convert, WarnsOfTextThatNeedsShaping) {
+  const TestFolder folder;
+  gen::GenerateRequest request;
+  request.font = folder.write("plain.ttf", Sfnt::plain());
+  request.symbols = "H";
+  const auto rom = folder.write("plain.bin", gen::generate(request).bytes);
+  for (const std::filesystem::path& file : {request.font, rom}) {
+    testing::internal::CaptureStderr();
+    load_font_file(file, Conversion(), "H\u0633\u0644");
+    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string_view warning = "warning: Arabic is drawn unshaped, from ";
+    EXPECT_NE(said.find(warning), std::string::npos) << file << said;
+    EXPECT_EQ(said.find(warning), said.rfind(warning)) << said;
+  }
+}
+
 // A WOFF2 of a variable font, at an instance: H is 100 units wider at wght 900.
 TEST(Convert, TakesWebFontsAndInstances) {
   const TestFolder folder;

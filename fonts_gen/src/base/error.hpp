@@ -40,6 +40,7 @@ struct Warning {
     face_taken,          // the first of several, since none was chosen
     no_kerning,          // a block of a paged font has no room for it
     default_instance,    // a variable font is converted at its defaults
+    unshaped,            // a text needs shaping, which a device does not
     no_morph,            // a pair of glyphs or masters has no morph
   };
   Kind kind;

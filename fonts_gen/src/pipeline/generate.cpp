@@ -12,6 +12,7 @@
 #include "pipeline/build.hpp"
 #include "pipeline/font_morphs.hpp"
 #include "pipeline/missing.hpp"
+#include "pipeline/unshaped.hpp"
 #include "rom/paged_font.hpp"
 #include "rom/rom_font.hpp"
 #include "source/faces.hpp"
@@ -151,6 +152,7 @@ RomFont generate(const GenerateRequest& request) {
   const std::vector<NamedString> strings = strings_of(request);
   AskedCharacters asked;
   SourceFont font = load_source(request, strings, asked, rom.warnings);
+  tell_of_unshaped(request, rom.warnings);
   if (request.strict && !font.missing.empty()) {
     refuse_missing(request, font.file_name, font.missing);
   }

@@ -1,0 +1,68 @@
+#include "pipeline/unshaped.hpp"
+
+#include <set>
+
+#include "source/shaping_need.hpp"
+#include "texts/shown_texts.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// Warns once of each script, whichever text it is in.
+class ScriptWarnings {
+ public:
+  explicit ScriptWarnings(Warnings& out) : out_(out) {}
+
+  // `file` is empty for a text of the command line.
+  void add(const LocatedText& text, const std::string& file) {
+    std::u32string characters;
+    for (const LocatedCharacter& found : text) {
+      characters += found.value;
+    }
+    for (const UnshapedScript& script : unshaped_scripts(characters)) {
+      if (told_.insert(script.name).second) {
+        const std::string place =
+            file.empty()
+                ? ""
+                : file + ":" + std::to_string(text[script.at].line) + ": ";
+        out_.push_back({Warning::Kind::unshaped,
+                        place + unshaped_message(script, characters)});
+      }
+    }
+  }
+
+ private:
+  Warnings& out_;
+  std::set<std::string> told_;
+};
+
+LocatedText lines_of(const std::filesystem::path& file) {
+  const std::string content = read_text_file(file, "--text-file");
+  LocatedText text;
+  int line = 1;
+  for (std::string_view rest = content; !rest.empty(); ++line) {
+    const size_t end = rest.find('\n');
+    add_shown(rest.substr(0, end), line, file.string(), text);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return text;
+}
+
+}  // namespace
+
+void tell_of_unshaped(const GenerateRequest& request, Warnings& warnings) {
+  ScriptWarnings scripts(warnings);
+  LocatedText symbols;
+  add_shown(request.symbols, 0, "--symbols", symbols);
+  scripts.add(symbols, "");
+  for (const std::filesystem::path& file : request.text_files) {
+    scripts.add(lines_of(file), file.string());
+  }
+  for (const std::filesystem::path& file : sources_of(request)) {
+    for (const LanguageText& shown : shown_texts(file, "--strings-from")) {
+      scripts.add(shown.text, file.string());
+    }
+  }
+}
+
+}  // namespace inkcell::gen
