@@ -18,7 +18,8 @@
 #                              priority: icons.ttf:FILL=1,height=cap=0xE88A
 #     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
 #     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
-#     [LANGUAGE CXX|C] [SECTION <section of the array>])
+#     [LANGUAGE CXX|C] [SECTION <section of the array>]
+#     [PAGED 512|1024|2048|4096])    for storage that is not mapped
 #
 # FONT may be left out where there are icons; NAME is needed then.
 #
@@ -32,6 +33,12 @@
 #   field     a quadtree of cells of nine distances: the field at any point
 # A target with a font of fields is linked with inkcell::field and opens it with
 # Font::open(fonts::NAME, inkcell::kFieldCoding, font).
+#
+# With PAGED the font is a file for an SD card, a flash chip or a file system, and
+# no array: inkcell_fonts/<target>/fonts/NAME.bin below the binary folder, which
+# the target's property INKCELL_FILE_<NAME> names. <fonts/NAME.hpp> has what
+# inkcell::StoredFont needs to know of it, as fonts::<NAME>::kBlockBytes. The
+# target is linked with inkcell::stored.
 #
 # A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
 # misses the default, 16, is drawn as well as possible, with a warning.
@@ -201,7 +208,7 @@ function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING
     HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
-    SVG_BASELINE)
+    SVG_BASELINE PAGED)
   set(several
     CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
   set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS)
@@ -245,6 +252,12 @@ function(inkcell_add_font target)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
   _inkcell_check_choice(LANGUAGE "${arg_LANGUAGE}" CXX C)
+  _inkcell_check_choice(PAGED "${arg_PAGED}" 512 1024 2048 4096)
+  if(DEFINED arg_PAGED AND "${arg_LANGUAGE}" STREQUAL "C")
+    message(FATAL_ERROR
+      "inkcell_add_font: PAGED is for C++, which has StoredFont; leave LANGUAGE C "
+      "out, and open the font in a source of C++")
+  endif()
   if("${arg_PREDICATE}" STREQUAL "fixed" AND
       NOT "${arg_CODING}" STREQUAL "field")
     message(FATAL_ERROR
@@ -269,7 +282,7 @@ function(inkcell_add_font target)
   set(options)
   foreach(word
       MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING HINTS PREDICATE
-      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE)
+      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE PAGED)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")
@@ -330,7 +343,13 @@ function(inkcell_add_font target)
   endif()
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
-  if("${arg_LANGUAGE}" STREQUAL "C")
+  if(DEFINED arg_PAGED)
+    set(header "${include}/fonts/${arg_NAME}.hpp")
+    set(made "${include}/fonts/${arg_NAME}.bin")
+    set(outputs "${made}" "${header}")
+    set(form --format=bin "--header=${header}")
+    set_target_properties(${target} PROPERTIES "INKCELL_FILE_${arg_NAME}" "${made}")
+  elseif("${arg_LANGUAGE}" STREQUAL "C")
     set(header "${include}/fonts/${arg_NAME}.h")
     set(made "${include}/fonts/${arg_NAME}.c")
     set(outputs "${made}" "${header}")
@@ -371,12 +390,18 @@ function(inkcell_add_font target)
   endif()
   target_sources(${target} ${scope} ${outputs})
   target_include_directories(${target} ${scope} "${include}")
-  if(arg_CODING STREQUAL "field" AND TARGET inkcell::field)
+  set(library)
+  if(arg_CODING STREQUAL "field")
+    set(library inkcell::field)
+  elseif(DEFINED arg_PAGED)
+    set(library inkcell::stored)
+  endif()
+  if(library AND TARGET ${library})
     # Not target_link_libraries(), which refuses to mix its two signatures.
     set(property LINK_LIBRARIES)
     if(type STREQUAL "INTERFACE_LIBRARY")
       set(property INTERFACE_LINK_LIBRARIES)
     endif()
-    set_property(TARGET ${target} APPEND PROPERTY ${property} inkcell::field)
+    set_property(TARGET ${target} APPEND PROPERTY ${property} ${library})
   endif()
 endfunction()

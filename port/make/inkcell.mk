@@ -12,10 +12,16 @@
 #
 #   $(eval $(call inkcell_c_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E,U+B0))
 #
-# $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags. Fonts
-# are made anew when their options change, or a file that they are made of: faces,
-# texts, strings, icons. An icon that is new counts, unless it is in the folder of the
-# Makefile.
+# $(INKCELL_FONTS)/fonts/dejavu_sans.c is yours to compile, with your C flags. For
+# storage that is not mapped it is a file, and a header of what StoredFont needs:
+#
+#   $(eval $(call inkcell_stored_font,hanzi,NotoSansCJK-Regular.ttc,--set=gb2312-1 --paged=1024))
+#
+# $(INKCELL_FONTS)/fonts/hanzi.bin and hanzi.hpp; the library is `stored`.
+#
+# Fonts are made anew when their options change, or a file that they are made of:
+# faces, texts, strings, icons. An icon that is new counts, unless it is in the folder
+# of the Makefile.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
 # needs pixel), cache, field, kinetic, layout, stored, c (which needs all but stored).
@@ -66,18 +72,20 @@ inkcell_space := $(inkcell_empty) $(inkcell_empty)
 inkcell_more = $(foreach more,4 5 6 7 8 9 10 11 12 13 14 15 16,$(if $($(more)),$(inkcell_comma)$($(more))))
 inkcell_options = $(strip $(subst $(inkcell_space)$(inkcell_comma),$(inkcell_comma),$(3)$(inkcell_more)))
 inkcell_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),hpp,)
-# The same as a source of C, whose array and size a header declares.
-inkcell_c_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),c,--header=$$(@:.c=.h))
+# The same as a source of C, whose array and size a header declares; and as a file.
+inkcell_c_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),c,h)
+inkcell_stored_font = $(call inkcell_rule,$(1),$(2),$(inkcell_options),bin,hpp)
 
-# $(call inkcell_rule,<name>,<font file>,<arguments>,<suffix>,<more arguments>): rules
-# that do not become the default goal.
+# $(call inkcell_rule,<name>,<font file>,<arguments>,<suffix>,<suffix of its header, if
+# that is another file>): rules that do not become the default goal.
 define inkcell_rule
 inkcell_goal := $$(.DEFAULT_GOAL)
 $(INKCELL_FONTS)/fonts/$(1).$(4): $(2) $(INKCELL_FONTS)/fonts/$(1).options \
     $(filter-out inkcell-fontgen,$(INKCELL_FONTGEN))
-	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) $(5) --quiet --out=$$@ --depfile=$$@.d
+	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) $(if $(5),--header=$$(@:.$(4)=.$(5))) --quiet \
+	  --out=$$@ --depfile=$$@.d
 -include $(INKCELL_FONTS)/fonts/$(1).$(4).d
-$(if $(5),$(INKCELL_FONTS)/fonts/$(1).h: $(INKCELL_FONTS)/fonts/$(1).c)
+$(if $(5),$(INKCELL_FONTS)/fonts/$(1).$(5): $(INKCELL_FONTS)/fonts/$(1).$(4))
 $(INKCELL_FONTS)/fonts/$(1).options: inkcell_always
 	@mkdir -p $$(@D)
 	@echo '$(subst ','\'',$(3))' | cmp -s - $$@ || echo '$(subst ','\'',$(3))' > $$@

@@ -43,6 +43,9 @@ CASES = [
      "NO_LAYOUT_GLYPHS", ""),
     (f"app {THERE} STRINGS", "not understood: STRINGS"),
     (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
+    (f"app {THERE} PAGED 1024", ""),
+    (f"app {THERE} PAGED 1000", "PAGED is 512 or 1024 or 2048 or 4096, not 1000"),
+    (f"app {THERE} PAGED 1024 LANGUAGE C", "PAGED is for C++"),
     (f"app {THERE} SECTION .fonts.a)\ninkcell_add_font(app {THERE} NAME b "
      "SECTION .fonts.a", "SECTION .fonts.a is that of CMakeLists; in C++"),
     (f"app {THERE} SECTION .fonts LANGUAGE C)\ninkcell_add_font(app {THERE} "

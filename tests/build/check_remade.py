@@ -1,6 +1,6 @@
 """Checks that Make, CMake and Meson make a font anew after each change of a file that
 the generator reads, after a file came or went in a folder of icons, and at no other
-time.
+time. So it is with sources of C, and with files for storage and their headers.
 
 Usage: check_remade.py WORK_FOLDER FONTGEN
 """
@@ -14,7 +14,9 @@ FONTS = pathlib.Path("/usr/share/fonts/truetype")
 SQUARE = ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8">'
           '<path d="M0 0h{0}v{0}h-{0}z"/></svg>\n')
 OPTIONS = ["--svg-dir={0}/icons", "--text-file={0}/text.txt",
-           "--strings={0}/ui.txt", "--merge={0}/more.ttf=0x42", "--max-px=12"]
+           "--merge={0}/more.ttf=0x42", "--max-px=12"]
+STRINGS = "--strings={0}/ui.txt"  # for fonts in mapped memory
+PAGED = "--paged=512"
 # Each is a change of a file below the project's folder, which may come or go.
 CHANGES = {
     "an icon": ("icons/one.svg", SQUARE.format(4)),
@@ -45,10 +47,10 @@ inkcell_add_font(app FONT font.ttf NAME ui SVG_DIR icons TEXT_FILE text.txt
 """
 MESON = """project('user')
 fontgen = find_program('{fontgen}', native: true)
-custom_target(input: 'font.ttf', output: 'ui.hpp', depfile: 'ui.d',
+custom_target(input: 'font.ttf', output: [{outputs}], depfile: 'ui.d',
   build_by_default: true,
   command: [fontgen, '--font=@INPUT@', '--name=ui', {quoted}, '--quiet',
-            '--out=@OUTPUT@', '--depfile=@DEPFILE@'])
+            '--out=@OUTPUT0@', '--depfile=@DEPFILE@'])
 """
 CONFIGURE = ["cmake", "-S", "{0}", "-B", "{0}/build", "-G"]
 BUILD = ["cmake", "--build", "{0}/build", "--target", "app_ui_files"]
@@ -59,12 +61,17 @@ SYSTEMS = {
              "build/inkcell_fonts/fonts/ui.hpp"),
     "Make, C": (MAKE, "Makefile", [], ["make", "-s", "-C", "{0}", "all"],
                 "build/inkcell_fonts/fonts/ui.c"),
+    "Make, stored": (MAKE, "Makefile", [], ["make", "-s", "-C", "{0}", "all"],
+                     "build/inkcell_fonts/fonts/ui.bin"),
     "CMake, Ninja": (CMAKE, "CMakeLists.txt", [*CONFIGURE, "Ninja"], BUILD,
                      "build/inkcell_fonts/app/fonts/ui.hpp"),
     "CMake, Make": (CMAKE, "CMakeLists.txt", [*CONFIGURE, "Unix Makefiles"],
                     BUILD, "build/inkcell_fonts/app/fonts/ui.hpp"),
     "Meson": (MESON, "meson.build", ["meson", "setup", "{0}/build", "{0}"],
               ["meson", "compile", "-C", "{0}/build"], "build/ui.hpp"),
+    "Meson, stored": (MESON, "meson.build",
+                      ["meson", "setup", "{0}/build", "{0}"],
+                      ["meson", "compile", "-C", "{0}/build"], "build/ui.bin"),
 }
 
 
@@ -77,19 +84,23 @@ def write(path, content):
         path.write_text(content)
 
 
-def write_project(folder, name, text, fontgen):
+def write_project(folder, name, text, fontgen, suffix):
     (folder / "icons").mkdir(parents=True)
     write(folder / "icons/one.svg", SQUARE.format(8))
     write(folder / "text.txt", "A\n")
     write(folder / "ui.txt", "title = AC\n")
     write(folder / "more.ttf", FONTS / "dejavu/DejaVuSerif.ttf")
     write(folder / "font.ttf", FONTS / "dejavu/DejaVuSans.ttf")
-    in_c = folder.name.endswith("C")
-    options = [option.format(folder) for option in OPTIONS]
+    is_stored = suffix == ".bin"
+    options = [option.format(folder) for option in
+               [*OPTIONS, PAGED if is_stored else STRINGS]]
+    more = ["--header=@OUTPUT1@"] if is_stored else []
     write(folder / name, text.format(
         root=ROOT, fontgen=fontgen, folder=folder, options=" ".join(options),
-        rule="c_font" if in_c else "font", suffix="c" if in_c else "hpp",
-        quoted=", ".join(f"'{option}'" for option in options)))
+        rule={".c": "c_font", ".bin": "stored_font"}.get(suffix, "font"),
+        outputs="'ui.bin', 'ui.hpp'" if is_stored else "'ui.hpp'",
+        suffix=suffix[1:],
+        quoted=", ".join(f"'{option}'" for option in [*options, *more])))
 
 
 class Project:
@@ -109,7 +120,8 @@ class Project:
 def problems_of(work, system, fontgen):
     text, name, configure, build, font = SYSTEMS[system]
     folder = work / system.replace(", ", "-")
-    write_project(folder, name, text, fontgen)
+    suffix = pathlib.Path(font).suffix
+    write_project(folder, name, text, fontgen, suffix)
     if configure:
         result = run([word.format(folder) for word in configure])
         if result.returncode != 0:
@@ -119,6 +131,8 @@ def problems_of(work, system, fontgen):
     try:
         made = project.make()
         for what, (file, content) in CHANGES.items():
+            if what == "strings" and suffix == ".bin":
+                continue
             if project.make() != made:
                 problems.append(f"{system}: made anew before {what}")
             write(folder / file, content)
@@ -127,6 +141,9 @@ def problems_of(work, system, fontgen):
                 problems.append(f"{system}: not made anew after {what}")
         if project.make() != made and system != NEVER_FORGETS:
             problems.append(f"{system}: made anew after all changes")
+        if suffix == ".bin" and "namespace ui {" not in project.font.with_suffix(
+                ".hpp").read_text():
+            problems.append(f"{system}: there is no header of the file")
     except RuntimeError as error:
         problems.append(f"{system}: {error}")
     return problems

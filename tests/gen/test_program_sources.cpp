@@ -134,6 +134,30 @@ TEST_F(ProgramSources, WritesSourcesThatCompile) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+TEST_F(ProgramSources, WritesAFontForStorageAndItsNumbers) {
+  const std::string font = "--font plain.ttf --paged 512 --name a --quiet ";
+  for (const std::string name : {"a.hpp", "a.h", "a.c"}) {
+    const Outcome result = run(folder_, font + "--out " + name);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err,
+              "error: " + name +
+                  ": a font of --paged is read from storage, and no array of a "
+                  "program; write the font to --out a.bin and its numbers to "
+                  "--header a.hpp, or leave --paged out\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / name));
+  }
+  ASSERT_EQ(run(folder_, font + "--out a.bin --header a.hpp").code, 0);
+  const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.hpp");
+  const std::string header(bytes.begin(), bytes.end());
+  for (const std::string& line :
+       {std::string("namespace a {"),
+        "kFileBytes = " +
+            std::to_string(read_file(folder_.path() / "a.bin").size()) + ";",
+        std::string("kBlockBytes = 512;")}) {
+    EXPECT_NE(header.find(line), std::string::npos) << header;
+  }
+}
+
 // A header of C++ that is included in C names the remedy.
 TEST_F(ProgramSources, TellsAProgramInCWhatToMake) {
   ASSERT_EQ(

@@ -360,6 +360,29 @@ TEST(a_page_of_text_is_read_once) {
   CHECK(least <= 3 * kCharacters);
 }
 
+// docs/PORTING.md: one for each glyph and one of the index that finds it, and
+// the block above those.
+TEST(a_line_is_read_once_with_blocks_for_glyphs_and_index) {
+  constexpr uint32_t kMostGlyphs = 9;
+  for (uint32_t count = 1; count <= kMostGlyphs; ++count) {
+    char text[3 * kMostGlyphs + 3] = {};  // GCC 12 counts one more
+    for (uint32_t i = 0; i < count; ++i) {
+      put_character(2000 * i, text + 3 * i);  // each far from the others
+    }
+    Disk disk;
+    const uint32_t blocks = count + count + 1;
+    const StoredFont stored = open_disk(disk, blocks);
+    const uint32_t before = disk.reads;
+    const Style style(Q26_6::from_int(12));
+    const Sink sink = picture_a.sink();
+    Painter(sink).text(stored.font(), style, kPen, Text(text, 3 * count));
+    CHECK_EQ(disk.reads - before, blocks);
+    Painter(sink).text(stored.font(), style, kPen, Text(text, 3 * count));
+    CHECK_EQ(disk.reads - before, blocks);
+    CHECK_OK(stored.status());
+  }
+}
+
 TEST(pairs_kern_by_one_block_more) {
   for (const size_t blocks : kBlockCounts) {
     Disk disk;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "inkcell/format/paged.hpp"
 #include "inkcell/version.hpp"
 
 namespace inkcell::gen {
@@ -129,21 +130,26 @@ std::string hpp_icons(const RomFont& font, const std::string& name) {
   return out + "}  // namespace " + name + "_icons\n";
 }
 
+// The head of a header of C++, with the includes that it needs.
+std::string hpp_head(const RomFont& font, const std::string& c_remedy) {
+  std::string out = "// " + provenance(font) +
+                    ".\n// Made by inkcell-fontgen: do not edit.\n"
+                    "#pragma once\n\n#ifndef __cplusplus\n#error \"this font "
+                    "is for C++" +
+                    c_remedy + "\"\n#endif\n\n#include <stdint.h>\n\n";
+  out += font.strings.empty() ? "" : "#include \"inkcell/shaped_run.hpp\"\n";
+  out += "#include \"inkcell/version.hpp\"\n\n";
+  return out + "static_assert(inkcell::reads_format(" +
+         std::to_string(kFormatMajor) + ", " + std::to_string(kFormatMinor) +
+         "),\n              \"regenerate with inkcell-fontgen\");\n\n"
+         "namespace fonts {\n\n";
+}
+
 std::string encode_hpp(const RomFont& font,
                        const std::string& name,
                        const std::string& section) {
-  std::string out = "// " + provenance(font) +
-                    ".\n// Made by inkcell-fontgen: do not edit.\n"
-                    "#pragma once\n\n#ifndef __cplusplus\n"
-                    "#error \"this font is for C++; for C make it with --out " +
-                    name + ".c --header " + name +
-                    ".h\"\n#endif\n\n#include <stdint.h>\n\n";
-  out += font.strings.empty() ? "" : "#include \"inkcell/shaped_run.hpp\"\n";
-  out += "#include \"inkcell/version.hpp\"\n\n";
-  out += "static_assert(inkcell::reads_format(" + std::to_string(kFormatMajor) +
-         ", " + std::to_string(kFormatMinor) +
-         "),\n              \"regenerate with inkcell-fontgen\");\n\n";
-  out += "namespace fonts {\n\n";
+  std::string out = hpp_head(font, "; for C make it with --out " + name +
+                                       ".c --header " + name + ".h");
   out +=
       section.empty() ? "" : "__attribute__((section(\"" + section + "\")))\n";
   out += "alignas(4) inline constexpr uint8_t " + name + "[" +
@@ -234,6 +240,42 @@ std::string encode(const RomFont& font,
       break;
   }
   return {font.bytes.begin(), font.bytes.end()};
+}
+
+std::string encode_stored_header(const RomFont& font, const std::string& name) {
+  namespace paged = format::paged;
+  const auto u16 = [&font](uint32_t at) {
+    return font.bytes[at] | uint32_t{font.bytes[at + 1]} << 8;
+  };
+  const auto line = [](const char* id, uint32_t value, const char* meaning) {
+    return std::string("inline constexpr uint32_t ") + id + " = " +
+           std::to_string(value) + ";  // " + meaning + "\n";
+  };
+  const auto bytes = static_cast<uint32_t>(font.bytes.size());
+  const uint32_t block = u16(paged::kBlockBytes);
+  const uint32_t pairs = u16(paged::kKernEnd) != 0 ? 1 : 0;
+  const uint32_t pages = u16(paged::kPages);
+  const uint32_t all = bytes / block - 1 - pages - pairs;
+  const uint32_t fan_out = block / paged::entry::kBytes;
+  const uint32_t index = all == 0 ? 0 : (pages + fan_out - 1) / fan_out;
+  std::string out = hpp_head(font, ": C has no StoredFont");
+  out += "// A font in storage, for inkcell::StoredFont.\nnamespace " + name;
+  out += " {\n\n" + line("kFileBytes", bytes, "in storage");
+  out += line("kBlockBytes", block, "for StoredFont::ram_bytes()");
+  out += line("kIndexBlocks", index, "one of them finds a glyph");
+  out += line("kIndexRoots", all - index, "one of them finds a block of those");
+  out += line("kPairBlocks", pairs, "0: no pair kerns");
+  out +=
+      "\n// Blocks in RAM with which a line of so many glyphs is read "
+      "once.\nconstexpr uint32_t blocks_of_line(uint32_t glyphs) {\n"
+      "  return glyphs + kPairBlocks";
+  out += index == 0
+             ? ""
+             : " + kIndexRoots +\n         (glyphs < kIndexBlocks ? glyphs : "
+               "kIndexBlocks)";
+  out += ";\n}\n\n}  // namespace " + name + "\n";
+  out += font.report.icons.empty() ? "" : hpp_icons(font, name);
+  return out + "\n}  // namespace fonts\n";
 }
 
 std::string encode_c_header(const RomFont& font, const std::string& name) {

@@ -19,6 +19,10 @@ std::string encode(const RomFont& font,
                    const std::string& name,
                    const std::string& section = {});
 
+/// The header for a font of --paged, of C++: what StoredFont needs to know of
+/// its file, in fonts::<name>, and icons as encode().
+std::string encode_stored_header(const RomFont& font, const std::string& name);
+
 /// The header for the form c: declares the array, its size and the strings.
 std::string encode_c_header(const RomFont& font, const std::string& name);
 

@@ -110,8 +110,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option("--header", arguments.header,
                  "With --format c, write a header that declares the font and "
-                 "its strings")
-      ->type_name("FILE.h");
+                 "its strings; with --paged one of C++, of what StoredFont "
+                 "needs to know")
+      ->type_name("FILE");
   app.add_option("--report", arguments.report, "Write the report as JSON")
       ->type_name("FILE");
   app.add_option("--preview", arguments.preview,
@@ -231,7 +232,9 @@ void write_files(const Arguments& arguments, const RomFont& font) {
   std::optional<OutputFile> header;
   if (!arguments.header.empty()) {
     header.emplace(arguments.header)
-        .write(encode_c_header(font, arguments.name));
+        .write(arguments.request.paged != 0
+                   ? encode_stored_header(font, arguments.name)
+                   : encode_c_header(font, arguments.name));
   }
   std::optional<OutputFile> report;
   if (!arguments.report.empty()) {
@@ -262,20 +265,29 @@ void write_files(const Arguments& arguments, const RomFont& font) {
 
 // Refuses formats that cannot hold what was asked for.
 void check_forms(const Arguments& arguments) {
+  const bool is_stored = arguments.request.paged != 0;
   bool has_c = false;
   bool has_bin = false;
   for (const std::string& out : arguments.out) {
     const OutputFormat format = format_of(arguments, out);
     has_c = has_c || format == OutputFormat::c;
     has_bin = has_bin || format == OutputFormat::bin;
+    if (is_stored && format != OutputFormat::bin) {
+      throw Error(out +
+                  ": a font of --paged is read from storage, and no array of a "
+                  "program; write the font to --out " +
+                  arguments.name + ".bin and its numbers to --header " +
+                  arguments.name + ".hpp, or leave --paged out");
+    }
   }
   if (arguments.format.has_value() && arguments.out.size() > 1) {
     throw Error(
         "--format: with more than one --out the ending of each says its form, "
         ".hpp or .h, .c, or another one, which is bin; leave --format out");
   }
-  if (!arguments.header.empty() && !has_c) {
-    throw Error("--header is for --format c; --format hpp is a header");
+  if (!arguments.header.empty() && !has_c && !is_stored) {
+    throw Error(
+        "--header is for --format c and for --paged; --format hpp is a header");
   }
   if (!arguments.section.empty() && has_bin) {
     throw Error("--section: --format bin has no array; use hpp or c");
