@@ -49,16 +49,18 @@ def configure(lines, work, fontgen):
     return [result.stdout] if result.returncode != 0 else []
 
 
-def commands():
-    """Lines of inkcell-fontgen in documents and heads of files."""
+def commands(help_text):
+    """Lines of inkcell-fontgen in documents, heads of files and its help, which
+    begins with one."""
     files = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")),
              *sorted((ROOT / "fonts_gen").rglob("*.md")),
              ROOT / "port/arduino/pack.py"]
-    return {line: path.relative_to(ROOT) for path in files
-            if path.name != "CHANGELOG.md"
-            for line in re.findall(
-                r"^ {4}(?:npx )?(inkcell-fontgen --font .*)", path.read_text(),
-                re.M)}
+    texts = {path.relative_to(ROOT): path.read_text() for path in files
+             if path.name != "CHANGELOG.md"}
+    texts["--help"] = "\n".join(help_text.splitlines()[:8])
+    return {line: place for place, text in texts.items()
+            for line in re.findall(r"^ {4}(?:npx )?(inkcell-fontgen --font .*)",
+                                   text, re.M)}
 
 
 def run_commands(lines, work, fontgen):
@@ -98,8 +100,10 @@ def main():
                                           re.M | re.S):
             (lines if language == "cmake" else blocks).append(block)
     problems += configure("".join(lines), work, fontgen)
-    calls = commands()
+    calls = commands(run([fontgen, "--help"]).stdout)
     problems += run_commands(calls, work / "fonts", fontgen)
+    if "--help" not in calls.values():
+        problems.append("inkcell-fontgen --help does not begin with a line to type")
     if len(calls) < 8:
         problems.append("the lines of inkcell-fontgen were not found")
     if len(blocks) < 8:

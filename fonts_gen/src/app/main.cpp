@@ -6,6 +6,8 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/budget.hpp"
 #include "app/encode.hpp"
@@ -21,6 +23,47 @@
 
 namespace inkcell::gen {
 namespace {
+
+constexpr const char* kAbout =
+    R"(Makes a font with which a microcontroller draws text of any size:
+
+    inkcell-fontgen --font DejaVuSans.ttf --symbols 'Hello, 12' --out sans.hpp
+
+sans.hpp has the array fonts::DejaVuSans, with these characters. A program says
+
+    Font::open(fonts::DejaVuSans, font);
+    Painter(canvas).text(font, Style(24_px), {4, 28}, "Hello, 12");
+
+For C write --out sans.c --header sans.h. Text that changes takes whole sets,
+such as --set latin-1; texts of sources and translations --strings-from
+'src/*.c'. Arabic, Indic and Thai are shaped by --strings.
+)";
+
+// The options by what they are for.
+const std::pair<const char*, std::vector<const char*>> kGroups[] = {
+    {"Font, and where it goes",
+     {"--font", "--face", "--instance", "--axis", "--out", "--format", "--name",
+      "--header", "--section"}},
+    {"Characters and texts",
+     {"--symbols", "--chars", "--set", "--text-file", "--strings-from",
+      "--strings", "--strict", "--no-layout-glyphs"}},
+    {"More faces, and icons",
+     {"--merge", "--svg", "--svg-dir", "--svg-height", "--svg-baseline"}},
+    {"Sizes and quality",
+     {"--min-px", "--max-px", "--tolerance", "--best-effort", "--budget",
+      "--hints", "--morph", "--band-px", "--coding", "--predicate", "--effort",
+      "--paged"}},
+    {"Reports and builds",
+     {"--report", "--preview", "--depfile", "--part", "--built", "--threads",
+      "--quiet"}}};
+
+void group_options(CLI::App& app) {
+  for (const auto& [group, options] : kGroups) {
+    for (const char* option : options) {
+      app.get_option(option)->group(group);
+    }
+  }
+}
 
 struct Arguments {
   GenerateRequest request;
@@ -409,11 +452,10 @@ void run(Arguments& arguments) {
 }  // namespace inkcell::gen
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Makes an Inkcell ROM font: adaptively sampled distance fields of the "
-      "glyphs of a font file.");
+  CLI::App app(inkcell::gen::kAbout);
   inkcell::gen::Arguments arguments;
   inkcell::gen::add_arguments(app, arguments);
+  inkcell::gen::group_options(app);
   return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::gen::run(arguments);
     return 0;
