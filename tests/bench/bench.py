@@ -24,13 +24,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-import against
-import lvgl
-import peers
-import report
-
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.insert(0, str(HERE.parent))  # of limits.py
+
+import against  # noqa: E402
+import figures  # noqa: E402
+import lvgl  # noqa: E402
+import peers  # noqa: E402
+import report  # noqa: E402
+
 DEFAULT_FONTS = [
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf",
@@ -129,7 +132,8 @@ def parse_arguments():
         help="with --against: fail where a cost grows beyond its limit and no "
         "line `Costs: ...` in a commit's body names it")
     add("--write-docs", action="store_true",
-        help="measure everything on all cores and write docs/BENCHMARKS.md")
+        help="measure everything on all cores and write docs/BENCHMARKS.md "
+        "and docs/figures.json; without LVGL its chapter stays as it is")
     arguments = parser.parse_args()
     for option, (known, default) in lists.items():
         if arguments.write_docs:
@@ -158,17 +162,15 @@ def parse_arguments():
     if all(is_rom_font(font) for font in arguments.font):
         # Nobody else reads them.
         arguments.engines = ["inkcell"]
-    prepare_lvgl(parser, arguments)
+    prepare_lvgl(arguments)
     return arguments
 
 
-def prepare_lvgl(parser, arguments):
+def prepare_lvgl(arguments):
     """Leaves LVGL out where it is not there, or cannot be measured."""
     arguments.lvgl = lvgl.find(arguments)
     if "lvgl" not in arguments.what:
         return
-    if arguments.write_docs and arguments.lvgl is None:
-        parser.error(f"--write-docs measures LVGL, too: {lvgl.HELP}")
     possible = (arguments.lvgl and not is_rom_font(arguments.font[0]) and
                 "outline" in arguments.coding and not arguments.against and
                 set(lvgl.CPUS) & set(arguments.cpu))
@@ -661,7 +663,7 @@ def measure_smallest(arguments, lvgl_sources, fonts, pictures, build):
     """Results and figures of the smallest build of each core, by coding."""
     measured = {}
     for coding in SMALLEST:
-        in_lvgl = coding == "outline"
+        in_lvgl = coding == "outline" and bool(lvgl_sources)
         some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
                                      "coding": [coding],
                                      "what": SMALLEST_WHAT +
@@ -717,14 +719,25 @@ def main():
             against.check_limits(ROOT, arguments.against, exceeded)
     smallest = None
     if arguments.write_docs:
-        lvgl_sources = {name: sources[name] for name in ("lvgl", "lv_fonts")}
+        lvgl_sources = {name: sources[name] for name in ("lvgl", "lv_fonts")
+                        if name in sources}
         smallest = measure_smallest(arguments, lvgl_sources, fonts, pictures,
                                     build)
     check_pictures(pictures)
     if arguments.write_docs:
-        report.write_document(results, others, smallest, sources,
-                              lvgl.document(others, smallest["outline"][1],
-                                            *arguments.lvgl))
+        write_docs(arguments, results, others, smallest, sources)
+
+
+def write_docs(arguments, results, others, smallest, sources):
+    versions = {"freetype": peers.freetype_version(sources["freetype"])}
+    chapter = None
+    if "lvgl" in arguments.what:
+        versions["lvgl"] = lvgl.version(sources["lvgl"])
+        chapter = lvgl.document(others, smallest["outline"][1],
+                                *arguments.lvgl)
+    report.write_document(results, others, smallest, sources, chapter)
+    figures.store("bench", figures.of_bench(results, others, smallest,
+                                            versions))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import limits
 import report
 
 CPUS = ("m3",)
@@ -29,9 +30,6 @@ LABELS = {
 LABEL = ("Kitchen-21.5", "4", "320", "40", "40")
 DIGIT = ("0", "-60", "320", "480", "16")
 DIGIT_SIZE = "512"
-# The digit takes no heap, and beside the strip less than this of stack and
-# objects. [bytes]
-MOST_DIGIT_RAM = 2048
 # LVGL's own code is that of the library, Inkcell's what it adds.
 OWN_LIBRARIES = ("inkcell_core", "inkcell_cache", "inkcell_port_pixel",
                  "inkcell_port_lvgl", "gcc")
@@ -129,11 +127,11 @@ def measure_digit(firmware, rom, about):
         number = list(LABELS).index(label)
         (_, (_, _, instructions, stack, heap)), (_, (object_bytes, _)) = (
             firmware.run(f"lvgl_label_{number}", rom, *DIGIT, DIGIT_SIZE))
-        if label == "direct" and (heap != 0 or
-                                  stack + object_bytes >= MOST_DIGIT_RAM):
-            sys.exit(f"bench: a direct digit of {DIGIT_SIZE} px/em takes "
-                     f"{heap} bytes of heap and {stack} + {object_bytes} of "
-                     f"stack and font; at most 0 and {MOST_DIGIT_RAM - 1}")
+        problems = limits.exceeded("digit in LVGL", {
+            "heap": heap, "stack and font": stack + object_bytes}
+        ) if label == "direct" else []
+        if problems:
+            sys.exit("bench: " + "\n".join(problems))
         yield {"figure": "lvgl_digit", **about, "label": label,
                "instructions": instructions, "stack": stack, "heap": heap,
                "object": object_bytes}

@@ -3,9 +3,11 @@ import re
 import subprocess
 import sys
 
-import fingerprint
 import peers
+from figures import DOCS
 
+DOCUMENT = DOCS / "BENCHMARKS.md"
+COMMAND = "sh tests/bench/run.sh --write-docs"
 ROW = ("{:5}{:4}{:26}{:10}{:14}{:>4}{:>9}{:>9}{:>7}{:>7}{:>6}{:>7}{:>7}{:>8}"
        "{:>7}")
 
@@ -70,10 +72,8 @@ HEAD = """\
 # Benchmarks
 
 What one glyph costs, beside FreeType and stb_truetype, and in LVGL. Written by
-`{command}`; not by hand. LVGL's sources and its converter of
-fonts must be there for it: `--help` says where. It describes this core:
-
-{lines}
+`{command}`, by night; not by hand. Measured at commit
+{commit}, with {compiler}.
 
 ## How it was measured
 
@@ -475,23 +475,29 @@ def other_tables(figures):
                          "call of solid"], rows)
 
 
-def faces_chapter():
-    """The chapter that tests/fonts/corpus.sh writes, as it is."""
-    if not fingerprint.DOCUMENT.exists():
-        return ""
-    found = re.search(r"^## Faces\n.*?\n(?=## |\Z)",
-                      fingerprint.DOCUMENT.read_text(encoding="utf-8"),
+def chapter_of(heading):
+    """A chapter as the document has it, which another program writes, or this
+    one with LVGL."""
+    found = re.search(rf"^## {heading}\n.*?\n(?=## |\Z)",
+                      DOCUMENT.read_text(encoding="utf-8"),
                       re.DOTALL | re.MULTILINE)
     return found.group() if found else ""
 
 
+def first_line(*command):
+    """Of what a program says."""
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True,
+                          cwd=DOCS).stdout.splitlines()[0]
+
+
 def write_document(results, figures, smallest, sources, lvgl):
-    """docs/BENCHMARKS.md from all results; `lvgl`: its last chapter."""
-    qemu = subprocess.run(["qemu-system-arm", "--version"], check=True,
-                          stdout=subprocess.PIPE, text=True).stdout
-    qemu = qemu.splitlines()[0].replace("emulator version ", "").split(" (")[0]
+    """docs/BENCHMARKS.md from all results; `lvgl`: its last chapter, if it was
+    measured."""
+    qemu = first_line("qemu-system-arm", "--version")
+    qemu = qemu.replace("emulator version ", "").split(" (")[0]
     head = HEAD.format(
-        command=fingerprint.COMMAND, lines="\n".join(fingerprint.lines()),
+        command=COMMAND, commit=first_line("git", "rev-parse", "--short", "HEAD"),
+        compiler=first_line("arm-none-eabi-g++", "--version"),
         qemu=qemu, freetype=peers.freetype_version(sources["freetype"]),
         stb=peers.stb_version(sources["stb"]))
     text = "\n".join([head, codings_table(results, figures, smallest) +
@@ -499,6 +505,7 @@ def write_document(results, figures, smallest, sources, lvgl):
                       stack_table(results) + memory_table(results) +
                       code_table(results, figures) +
                       smallest_tables(smallest) + mode_table(figures) +
-                      bound_table(figures) + other_tables(figures) + faces_chapter() + lvgl])
-    fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
-    say(f"wrote {fingerprint.DOCUMENT}")
+                      bound_table(figures) + other_tables(figures) +
+                      chapter_of("Faces") + (lvgl or chapter_of("In LVGL"))])
+    DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
+    say(f"wrote {DOCUMENT}")

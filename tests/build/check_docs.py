@@ -1,9 +1,10 @@
 """Checks what can be false in documents and the form of all tracked files.
 
-Links and paths in documents lead somewhere, lines that they quote are where they
-say, versions agree, and no file names a path that only one machine has.
+Links, paths and symbols in documents are there, tables of figures are those of
+docs/figures.json, FORMAT.md places numbers where the library does, versions agree,
+and no file names a path that only one machine has.
 
-Usage: check_docs.py [--write]     (--write corrects the numbers of quoted lines)
+Usage: check_docs.py
 """
 import pathlib
 import re
@@ -70,30 +71,41 @@ def check_paths(name, text):
             if not (ROOT / path.rstrip(".")).exists()]
 
 
-# A line of a source, quoted: `path:number`: `the line`.
-QUOTED = re.compile(r"`([\w./-]+):(\d+)`:\s`(.+)`")
+# A symbol of a source, as an item: - `path`: `symbol`.
+SYMBOL = re.compile(r"^- `([\w./-]+\.\w+)`: `([^`]+)`$", re.M)
 
 
-def check_quotes(name, text, files, write):
-    """Quoted lines of sources that are not where a document says."""
+def check_symbols(name, text, files):
+    """Symbols that are not in the source that a document names."""
+    return [f"{name}: {path} has no {symbol}"
+            for path, symbol in SYMBOL.findall(text)
+            if symbol not in files.get(path, "")]
+
+
+def check_offsets(files):
+    """Where FORMAT.md places numbers, and where format/rom.hpp does."""
+    form = files["docs/FORMAT.md"]
+    source = files["core/include/inkcell/format/rom.hpp"]
     problems = []
-
-    def correct(found):
-        path, number, line = found.groups()
-        lines = [each.strip() for each in files.get(path, "").splitlines()]
-        if lines.count(line) != 1:
-            problems.append(f"{name}: {path} has {lines.count(line)} lines "
-                            f"{line!r}")
-            return found.group(0)
-        at = lines.index(line) + 1
-        if at != int(number) and not write:
-            problems.append(f"{name}: {path}:{number} is line {at}; run "
-                            "check_docs.py --write")
-        return f"`{path}:{at}`: `{line}`"
-
-    corrected = QUOTED.sub(correct, text)
-    if write:
-        (ROOT / name).write_text(corrected)
+    for heading, space, least in [("## Header", "header", 31),
+                                  ("## Section directory", "section", 3)]:
+        part = form[form.index(f"\n{heading}\n"):]
+        rows = re.findall(r"^\| (\d+) \| (\d+) \|[^|]*\| (\w+) \|",
+                          part[:part.index("\n#", 1)], re.M)
+        body = re.search(rf"namespace {space} {{\n(.*?)\n}}", source,
+                         re.S).group(1)
+        if len(rows) < least:
+            problems.append(f"docs/FORMAT.md: {heading}: {len(rows)} rows")
+        end = 0
+        for offset, size, name in rows:
+            constant = "k" + name.title().replace("_", "")
+            if (not re.search(rf"\b{constant} = {offset};", body) or
+                    int(offset) != end):
+                problems.append(f"docs/FORMAT.md: {heading}: {name} is not at "
+                                f"{space}::{constant}, the next free place")
+            end = int(offset) + int(size)
+        if not re.search(rf"\bkBytes = {end};", body):
+            problems.append(f"docs/FORMAT.md: {heading}: not {end} bytes")
     return problems
 
 
@@ -101,8 +113,7 @@ def check_prose(name, text):
     """Lines of a document that an editor would wrap: not of tables and code."""
     return [f"{name}:{number}: over 100 columns"
             for number, line in enumerate(text.splitlines(), 1)
-            if len(line) > 100 and not line.startswith(("|", "    "))
-            and not QUOTED.search(line)]
+            if len(line) > 100 and not line.startswith(("|", "    "))]
 
 
 def constant(text, name):
@@ -155,12 +166,16 @@ def check_source(name, text):
 
 def main():
     files = tracked_files()
-    problems = check_versions(files)
+    problems = check_versions(files) + check_offsets(files)
+    drawn = run([sys.executable, "-B", ROOT / "tests/bench/figures.py",
+                 "--check"])
+    if drawn.returncode != 0:
+        problems.append(drawn.stdout)
     for name, text in files.items():
         if name.endswith(".md"):
             problems += check_links(name, text, files)
             problems += check_paths(name, text)
-            problems += check_quotes(name, text, files, "--write" in sys.argv)
+            problems += check_symbols(name, text, files)
             if name != "docs/BENCHMARKS.md":  # a program wraps that
                 problems += check_prose(name, text)
         if name.endswith(SOURCES):

@@ -1,29 +1,28 @@
 """Builds the complete programs of port/display/examples for Cortex-M0 at -Os, runs
 them in QEMU and on the host against models of their displays, and compares their
-sizes with the table of docs/PORTING.md.
+sizes with tests/limits.json.
 
 Code is .text of the program with libgcc, memcpy() and memset(), without start-up
 code; RAM is what is static. Stack is what main() took in QEMU. Both machines, and
-programs of C++ and C, must show the same screens.
+programs of C++ and C, must show the same screens. WORK_FOLDER/figures.json holds
+the sizes, for the table of docs/PORTING.md.
 
 Usage: check_examples.py WORK_FOLDER FONTGEN PROGRAM...
 """
+import json
 import pathlib
 import re
 import shutil
 import sys
 
 from toolchains import ARM, ROOT, finish, require, run
+import limits
 
 EXAMPLES = ROOT / "port/display/examples"
 TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
 QEMU = ROOT / "boards/common/qemu_run.sh"
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
-# The most code of the smallest program of 1 bit. [bytes]
-MOST_LEAST = 14900
-# What the table may be off by. [bytes]
-SPREAD = {"code": 100, "constants": 100, "RAM": 50, "stack": 32}
 
 
 def call(*command):
@@ -55,18 +54,9 @@ def sizes_of(program):
             "RAM": sections.get(".data", 0) + sections.get(".bss", 0)}
 
 
-def table():
-    """The rows of the table, by the program's name."""
-    rows = re.findall(r"^\| `(\w+\.c(?:pp)?)` \|.*\| (\d+) \| (\d+) \| (\d+) "
-                      r"\| (\d+) \|$",
-                      (ROOT / "docs/PORTING.md").read_text(), re.M)
-    return {name: dict(zip(SPREAD, map(int, figures)))
-            for name, *figures in rows}
-
-
-def check(program, build, said, screens):
+def check(program, build, screens, figures):
     """Problems of one program, which the host has run as `program`. `screens` has
-    what programs show."""
+    what programs show, `figures` what they take."""
     name = program.name.removeprefix("example_")
     source = source_of(name)
     host = run([program])
@@ -85,14 +75,9 @@ def check(program, build, said, screens):
     if shown != host.stdout:
         problems.append(f"{source} shows other screens:\n{host.stdout}\nthan in "
                         f"C++:\n{shown}")
-    found = {**sizes_of(build / f"examples/{name}.elf"),
-             "stack": max(stacks)}
-    print(f"{source:12} " + ", ".join(f"{what} {size}"
-                                   for what, size in found.items()))
-    problems += [f"docs/PORTING.md: {source} takes {found[what]} bytes of "
-                 f"{what}, not {said.get(source, {}).get(what)}"
-                 for what, spread in SPREAD.items()
-                 if abs(said.get(source, {}).get(what, -1000) - found[what]) > spread]
+    figures[source] = {**sizes_of(build / f"examples/{name}.elf"),
+                       "stack": max(stacks)}
+    print(f"{source:12} {figures[source]}")
     lines = count_lines(name)
     if lines > MOST_LINES:
         problems.append(f"{source}: run() and main() have {lines} lines; "
@@ -106,32 +91,24 @@ def main():
     require([ARM + "g++", "cmake", "ninja", "qemu-system-arm"])
     shutil.rmtree(work, ignore_errors=True)
     sources = {path.name for path in EXAMPLES.glob("*.c*")} - {"your_board.c"}
-    said = table()
-    problems = []
-    for what, found in (("tests", {source_of(path.name.removeprefix("example_"))
-                                   for path in programs}),
-                        ("rows in docs/PORTING.md", set(said))):
-        if found != sources:
-            problems.append(f"examples {sorted(sources)}, {what} {sorted(found)}")
+    tested = {source_of(path.name.removeprefix("example_"))
+              for path in programs}
+    problems = [] if tested == sources else [
+        f"examples {sorted(sources)}, tests {sorted(tested)}"]
     call("cmake", "-G", "Ninja", "-S", ROOT / "tests/build/examples", "-B", work,
          f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}", "-DCMAKE_BUILD_TYPE=MinSizeRel",
          f"-DINKCELL_FONTGEN={fontgen}")
     call("cmake", "--build", work, "--target",
          *(program.name for program in programs), "least_oled")
-    least = sizes_of(work / "least_oled.elf")
-    print("smallest program of 1 bit: " +
-          ", ".join(f"{what} {size}" for what, size in least.items()))
-    said_least = re.search(r"draws fitted outlines ([\d.]+) KB of code",
-                           (ROOT / "README.md").read_text())
-    if least["code"] > MOST_LEAST:
-        problems.append(f"least_oled.cpp: {least['code']} bytes of code; "
-                        f"{MOST_LEAST} are allowed")
-    if abs(float(said_least.group(1)) * 1000 - least["code"]) > 100:
-        problems.append(f"README.md: {said_least.group(0)}, not {least['code']}")
+    figures = {"least_oled.cpp": sizes_of(work / "least_oled.elf")}
     screens = {}
     for program in programs:
-        problems += check(program, work, said, screens)
-    finish(len(programs) + 2, problems)
+        problems += check(program, work, screens, figures)
+    problems += limits.exceeded("programs", {
+        f"{source}, {what}": size for source, sizes in figures.items()
+        for what, size in sizes.items()})
+    (work / "figures.json").write_text(json.dumps(figures))
+    finish(len(programs) + 1, problems)
 
 
 main()

@@ -15,12 +15,10 @@ import sys
 
 from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
                         WARNINGS, finish, require, run)
+from limits import LIMITS
 
-# Bytes of the deepest chain, of which the font's kerning takes 170. A box that is
-# drawn keeps the line at hand, and the style that a canvas of 1 or 2 bits adapts.
-LIMIT = 560
-LIMITS = {"TextBox::draw": LIMIT + 256,
-          "TextBox::box": LIMIT + 208}
+# Of the deepest chain the font's kerning takes 170 bytes. A box that is drawn
+# keeps the line at hand, and the style that a canvas of 1 or 2 bits adapts.
 LEVELS = ["-Os", "-O2"]
 FOLDERS = ["core/src/base", "core/src/font", "core/src/text", "core/src/place",
            "core/layout/src"]
@@ -172,7 +170,9 @@ def check_level(level, work):
             depth, chain = chains.below(symbol)
             path = " > ".join(f"{short(names[s])} {stack[s]}" for s in chain)
             print(f"{level} {depth:4} B: {path}")
-            limit = LIMITS.get(entry, LIMIT)
+            # A box that is drawn keeps the style that a canvas adapts.
+            limit = LIMITS["layout"][
+                entry if entry == "TextBox::draw" else "others"]
             if depth > limit:
                 problems.append(f"{level} {entry}: {depth} bytes of stack, "
                                 f"{limit} are allowed")

@@ -14,24 +14,22 @@ import sys
 from toolchains import (COMPILERS, ROOT, WARNINGS,
                         compile_object, device_sources, finish, in_parallel,
                         require, run)
+from limits import LIMITS
 
 MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
 LEVELS = ["-Os", "-O2"]
-
-# Bytes of stack that one function may use by itself, and that those in WIDE
-# may: on a device, and where registers and pointers are twice as wide.
-STACK_LIMITS = (256, 384)
-HOST_STACK_LIMITS = (384, 512)
 
 # fill_rows() holds a row of a field and loops that are inlined for speed,
 # mix_samples() the places of 12 samples, `step` the state of a solver,
 # draw_body() seven views of bodies, band_box() a glyph of which only the box is
 # wanted.
+FRAMES = LIMITS["frames"]
+# Functions with limits of their own, on devices and on the host:
 WIDE = ("fill_rows", "mix_samples", "draw_cells", "step", "draw_body",
         "band_box")
 
 # These hold a glyph and its bands where the caller lends no RAM.
-WITHOUT_RAM = {"draw_on_stack": 744, "draw_fitted_on_stack": 976}
+WITHOUT_RAM = ("draw_on_stack", "draw_fitted_on_stack")
 
 # What a device's C library or compiler must bring: block moves, and integer
 # arithmetic that the core lacks.
@@ -70,19 +68,23 @@ def compile_source(machine, level, source, folder):
         target)
 
 
-def check_stack(usage, limits):
+def check_stack(usage, machine):
     """Functions of a .su file that use too much, and the most of any."""
     problems, most = [], 0
+    where = "host" if machine == "host" else "device"
     for line in usage.read_text().splitlines():
-        where, size, kind = line.split("\t")
-        name = where.split(":", 3)[-1]
+        at, size, kind = line.split("\t")
+        name = at.split(":", 3)[-1]
         function = re.search(r"([\w=!]+)\(", name)[1]
-        limit = WITHOUT_RAM.get(function, limits[function in WIDE])
-        if function not in WITHOUT_RAM:
+        if function in WITHOUT_RAM:
+            limit = FRAMES[function]
+        else:
+            limit = FRAMES[where + ", wide" * (function in WIDE)]
             most = max(most, int(size))
         # "dynamic,bounded": arguments are pushed, the size counts them.
         if int(size) > limit or kind == "dynamic":
-            problems.append(f"{usage.stem}: {name}: {size} B of stack, {kind}")
+            problems.append(f"{usage.stem}: {name}: {size} B of stack, {kind}; "
+                            f"at most {limit} (tests/limits.json)")
     return problems, most
 
 
@@ -124,14 +126,13 @@ def check_machine(machine, level, work):
     folder = work / (machine + level)
     folder.mkdir(parents=True)
     objects, problems, stack = [], [], 0
-    limits = HOST_STACK_LIMITS if machine == "host" else STACK_LIMITS
     for source in [*device_sources(), ROOT / "tests/build/constants.cpp"]:
         target, result = compile_source(machine, level, source, folder)
         if result.returncode != 0:
             problems.append(result.stdout)
             continue
         objects.append(target)
-        too_much, most = check_stack(target.with_suffix(".su"), limits)
+        too_much, most = check_stack(target.with_suffix(".su"), machine)
         problems += too_much
         stack = max(stack, most)
     prefix = COMPILERS[machine][1]

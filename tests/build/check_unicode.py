@@ -1,5 +1,5 @@
 """Checks that the tables of core/layout/src and the character sets of the
-generator are what their scripts make, that those of a part of Unicode take no more than 2 KB, and that the marks of
+generator are what their scripts make, that those of a part of Unicode are within their limit, and that the marks of
 core/src/text/blank.cpp are those of Unicode, each in the blocks that it names.
 
 Usage: check_unicode.py WORK_FOLDER
@@ -10,9 +10,9 @@ import sys
 import unicodedata
 
 from toolchains import ROOT, finish, run
+from limits import LIMITS
 
 LAYOUT = ROOT / "core/layout/src"
-MOST_BYTES = 2048
 
 # Tables, and bytes of what a part makes of its own besides: the pairs of
 # classes of line_break.cpp.
@@ -67,8 +67,10 @@ def main():
             problems.append(f"core/layout/src/{name} is not what "
                             "host_tools/unicode/make_tables.py makes")
         size = int(re.search(r"^// (\d+) bytes", text, re.M).group(1)) + more
-        if size > MOST_BYTES:
-            problems.append(f"{name}: {size} bytes, {MOST_BYTES} are allowed")
+        most = LIMITS["tables"]["Unicode, each"]
+        if size > most:
+            problems.append(f"{name}: {size} bytes, at most {most} "
+                            "(tests/limits.json)")
     finish(len(TABLES), problems)
 
 
