@@ -3,7 +3,8 @@
 #   . host_tools/setup.sh
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
 #   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
-#   inkcell_setup tests    # these, and what the tests need on top
+#   inkcell_setup first    # demo, and what the tests' first lane needs on top
+#   inkcell_setup tests    # windows, first, and what the other tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
 #   inkcell_setup reading  # what reads and judges small text
@@ -27,13 +28,17 @@ inkcell_packages_windows="$inkcell_packages_demo libsdl2-dev libimgui-dev
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
 
-inkcell_packages_tests="$inkcell_packages_windows
-  git clang lld nodejs ccache make meson libgtest-dev
+inkcell_packages_first="$inkcell_packages_demo
+  git ccache libgtest-dev unicode-data fonts-roboto-unhinted fonts-liberation
+  fonts-inter-variable fonts-lato fonts-noto-cjk
+  fonts-lohit-deva fonts-tlwg-loma-ttf"
+
+inkcell_packages_tests="$inkcell_packages_windows $inkcell_packages_first
+  clang lld nodejs make meson
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
-  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-liberation
-  fonts-dejavu-extra fonts-inter fonts-inter-variable fonts-lato
-  fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf
-  librsvg2-bin unicode-data xvfb xdotool fontmake
+  libclang-rt-dev g++-powerpc-linux-gnu qemu-user
+  fonts-dejavu-extra fonts-inter
+  librsvg2-bin xvfb xdotool fontmake
   $inkcell_packages_reading"
 
 inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zopfli
@@ -56,6 +61,7 @@ inkcell_setup() {
   case $1 in
     demo) inkcell_wanted=$inkcell_packages_demo ;;
     windows) inkcell_wanted=$inkcell_packages_windows ;;
+    first) inkcell_wanted=$inkcell_packages_first ;;
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     web) inkcell_wanted=$inkcell_packages_web ;;
     exe) inkcell_wanted=$inkcell_packages_exe ;;
@@ -63,7 +69,7 @@ inkcell_setup() {
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|windows|tests|web|exe|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|windows|first|tests|web|exe|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

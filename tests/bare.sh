@@ -1,18 +1,19 @@
 #!/bin/sh
-# Runs README's three commands as on a fresh machine: a minimal Debian (debootstrap,
+# Runs README's commands as on a fresh machine: a minimal Debian (debootstrap,
 # variant minbase) with git and nothing else. Each gets a machine of its own, a
 # copy of one root directory, and in it a clone of HEAD of this checkout:
 #
-#   sh tests/bare.sh [--demo] [--page] [--tests] [--fresh]    # none: all three
+#   sh tests/bare.sh [--demo] [--page] [--tests] [--all] [--fresh]    # none: all four
 #
 #   --demo    host_tools/demo.sh; its pictures are left in build/bare/demo
 #   --page    host_tools/playground/build.sh; the page is left in build/bare/page
-#   --tests   tests/run.sh; its logs are left in build/bare/tests
+#   --tests   tests/run.sh, the first lane; its logs are left in build/bare/tests
+#   --all     tests/run.sh --all; its logs are left in build/bare/all
 #   --fresh   first remove the cached root directory and the compiler cache
 #
 # Prints the seconds of each, in brackets those of processor time, and the last
 # line of its output. Exits with 0 if all passed; otherwise it shows the end of the
-# log, and leaves the machine in build/bare/machine-demo, -page or -tests.
+# log, and leaves the machine in build/bare/machine-demo, -page, -tests or -all.
 #
 # Needs root, Debian and its packages (inkcell_setup bare), and about 15 GB below
 # build/bare. Everything but the packages comes from this machine: Debian's
@@ -23,10 +24,10 @@ wanted=
 fresh=
 for option; do
   case $option in
-    --demo | --page | --tests) wanted="$wanted ${option#--}" ;;
+    --demo | --page | --tests | --all) wanted="$wanted ${option#--}" ;;
     --fresh) fresh=yes ;;
     --help) sed -n '2,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) echo "tests/bare.sh: $option: there are --demo, --page, --tests, --fresh," \
+    *) echo "tests/bare.sh: $option: there are --demo, --page, --tests, --all, --fresh," \
          "--help" >&2
        exit 2 ;;
   esac
@@ -159,8 +160,10 @@ on_machine() {
   printf '%-8s%-42s%4d s (%d s)\n' $verdict "$2" $(($(date +%s) - begun)) \
     $((processor - begun_processor))
   remove "$work/$name"
-  if [ -d "$machine/inkcell/build/$name" ]; then
-    cp -a "$machine/inkcell/build/$name" "$work/$name"
+  left=$machine/inkcell/build/$name
+  [ $name != all ] || left=$machine/inkcell/build/tests
+  if [ -d "$left" ]; then
+    cp -a "$left" "$work/$name"
   fi
   if [ $verdict = ok ]; then
     tail -n 1 "$work/$name.log" | sed 's/^/    /'
@@ -194,11 +197,12 @@ if [ "$changed" != 0 ]; then
   echo "HEAD is tested, without the changes of $changed files"
 fi
 failed=
-for name in ${wanted:-demo page tests}; do
+for name in ${wanted:-demo page tests all}; do
   case $name in
     demo) on_machine demo host_tools/demo.sh ;;
     page) on_machine page "host_tools/playground/build.sh build/page" ;;
     tests) on_machine tests tests/run.sh ;;
+    all) on_machine all "tests/run.sh --all" ;;
   esac
 done
 [ -z "$failed" ]

@@ -20,18 +20,19 @@
 set -u
 cd "$(dirname "$0")/.." || exit 2
 . tests/steps.sh
-all=' bench programs corpus editing mutate coverage fuzz bare '
+all='bench programs corpus editing mutate coverage fuzz bare'
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
+only=$all
 case ${1-} in
   '') ;;
   --only) shift; only=$*; [ $# != 0 ] || usage ;;
   *) usage ;;
 esac
 for name in $only; do
-  case $all in *" $name "*) ;; *) usage ;; esac
+  case " $all " in *" $name "*) ;; *) usage ;; esac
 done
 . host_tools/setup.sh
 inkcell_setup tests
@@ -57,7 +58,8 @@ bare() {
   sh tests/bare.sh
 }
 
-step host cmake -S . --preset host -DINKCELL_JOIN_FOLDERS=ON &&
+step host cmake -S . --preset host -DINKCELL_JOIN_FOLDERS=ON \
+  -DINKCELL_SECOND_LANE=ON &&
   step generator cmake --build build/host --target inkcell-fontgen
 wanted bench && step bench bench
 wanted programs && step programs programs

@@ -16,14 +16,9 @@ counts=$logs/counts  # a line a step: passed, failed, skipped
 # Steps run side by side, and do not hear the key that ends this script.
 trap 'trap - INT; kill 0; exit 130' INT
 
-# wanted <name>: whether --only names it, or nothing. What follows a dot needs not be
-# named.
-only=
+# wanted <name>: whether the step is one of $only.
 wanted() {
-  case " $only " in
-    '  ' | *" $1 "* | *" ${1%%.*} "*) ;;
-    *) return 1 ;;
-  esac
+  case " $only " in *" $1 "*) ;; *) return 1 ;; esac
 }
 
 # step <name> <command>...: runs it, says how it went, and counts it. A command

@@ -1,10 +1,10 @@
-"""Looks into the object files of core and port, for four machines.
+"""Looks into the object files of core and port, for some machines of COMPILERS.
 
 They, and constants.cpp with styles of a program, must hold no writable data
 and no constructors, refer to nothing but each other and a few helpers, use no more than a stated stack in one function, and
 come from sources that include nothing but <stdint.h>, <stddef.h> and inkcell/.
 
-Usage: check_objects.py WORK_FOLDER
+Usage: check_objects.py WORK_FOLDER MACHINE...
 """
 import pathlib
 import re
@@ -16,7 +16,6 @@ from toolchains import (COMPILERS, ROOT, WARNINGS,
                         require, run)
 from limits import LIMITS
 
-MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
 LEVELS = ["-Os", "-O2"]
 
 # fill_rows() holds a row of a field and loops that are inlined for speed,
@@ -154,12 +153,12 @@ def print_table(results):
 
 
 def main():
-    work = pathlib.Path(sys.argv[1])
+    work, machines = pathlib.Path(sys.argv[1]), sys.argv[2:]
     shutil.rmtree(work, ignore_errors=True)
-    require([COMPILERS[machine][0][0] for machine in MACHINES])
+    require([COMPILERS[machine][0][0] for machine in machines])
     sources = device_sources()
     results = in_parallel(check_machine, [(machine, level, work)
-                                          for machine in MACHINES
+                                          for machine in machines
                                           for level in LEVELS])
     problems = [f"{machine} {level}: {problem}"
                 for machine, level, _, _, found in results for problem in found]
