@@ -60,7 +60,7 @@ def main():
     drawn = run([here])
     shown = run(["qemu-system-xtensa", "-M", "sim", "-cpu", "lx106", "-semihosting",
                  "-display", "none", "-monitor", "none", "-serial", "none",
-                 "-kernel", program], timeout=60)
+                 "-kernel", program], timeout=600)
     sizes = run([CXX.replace("g++", "size"), program]).stdout.splitlines()[1].split()
     print(f"lx106: {len(sources)} sources; a program of {sizes[0]} bytes draws "
           f"{shown.stdout}")

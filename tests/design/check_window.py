@@ -358,7 +358,7 @@ class WindowTest(unittest.TestCase):
             self.assertEqual((self.live / name).read_bytes(),
                              (self.scripted / name).read_bytes(), name)
         self.display.send("key", "ctrl+q")
-        self.assertEqual(window.process.wait(timeout=20), 0)
+        self.assertEqual(window.process.wait(timeout=600), 0)
 
     def test_new_font_is_made_and_quitting_asks(self):
         steps = Session([])
@@ -392,7 +392,7 @@ class WindowTest(unittest.TestCase):
              (self.live / "Mine.ufo/glyphs/exclam.glif").read_text(),
              "the drawing was not saved")
         send("key", "ctrl+q")
-        self.assertEqual(window.process.wait(timeout=20), 0)
+        self.assertEqual(window.process.wait(timeout=600), 0)
 
     def test_killed_window_loses_nothing(self):
         letter, _ = self.reports()

@@ -5,7 +5,7 @@ import struct
 import subprocess
 import time
 
-WAIT_S = 30
+WAIT_S = 600  # ends what hangs
 
 
 def wait(condition, what):

@@ -51,8 +51,8 @@ run() {
   # shellcheck disable=SC2086  # flags are meant to be split
   clang++ $flags -fsanitize=fuzzer "tests/fuzz/$target.cpp" "$@" \
     "$folder"/objects/*.o -o "$folder/$target"
-  # A unit that needs more than 5 s is as bad as a crash.
-  common="-max_len=$longest -timeout=5 -rss_limit_mb=1024"
+  # A unit that hangs is as bad as a crash.
+  common="-max_len=$longest -timeout=60 -rss_limit_mb=1024"
   pids=
   for job in $(seq "$(nproc)"); do
     # A folder of its own: one job removes what another is about to read.
