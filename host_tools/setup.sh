@@ -4,7 +4,7 @@
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
 #   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
 #   inkcell_setup first    # demo, and what the tests' first lane needs on top
-#   inkcell_setup tests    # windows, first, and what the other tests need on top
+#   inkcell_setup tests    # first, windows, and what the other tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
 #   inkcell_setup reading  # what reads and judges small text
@@ -33,8 +33,8 @@ inkcell_packages_first="$inkcell_packages_demo
   fonts-inter-variable fonts-lato fonts-noto-cjk
   fonts-lohit-deva fonts-tlwg-loma-ttf"
 
-inkcell_packages_tests="$inkcell_packages_windows $inkcell_packages_first
-  clang lld nodejs make meson
+inkcell_packages_tests="$inkcell_packages_first libsdl2-dev libimgui-dev
+  clang clang-tidy cppcheck lld nodejs make meson
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
   fonts-dejavu-extra fonts-inter
