@@ -19,7 +19,6 @@
 # passed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-. tests/steps.sh
 all='bench programs corpus editing mutate coverage fuzz bare'
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
@@ -34,6 +33,7 @@ esac
 for name in $only; do
   case " $all " in *" $name "*) ;; *) usage ;; esac
 done
+. tests/steps.sh
 . host_tools/setup.sh
 inkcell_setup tests
 

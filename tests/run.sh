@@ -24,7 +24,6 @@
 # 0 if everything passed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-. tests/steps.sh
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
   exit 2
@@ -51,6 +50,7 @@ if [ -z "$steps" ]; then
 fi
 only=$(echo $steps)
 
+. tests/steps.sh
 . host_tools/setup.sh
 # The first lane has no need of what its steps do not call.
 packages=first

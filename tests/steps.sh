@@ -1,6 +1,6 @@
 # Steps of tests/run.sh and tests/night.sh, which include this file from the
-# folder of the sources: each step writes build/tests/<step>.log, says how it went
-# and is counted.
+# folder of the sources, and name the wanted steps in $only: each writes
+# build/tests/<step>.log, says how it went and is counted.
 
 # Three boards have one core, packages are built in several ways, and most objects
 # are those of the last run: every compiler is called through ccache.
