@@ -51,7 +51,13 @@ summary() {
   while read -r good bad left; do
     passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + left))
   done <"$counts"
-  printf '\n%d s; logs in build/tests\n' $(($(date +%s) - started))
+  # Not in $(), which would tell of another shell.
+  times >"$logs/times"
+  processor=$(awk 'NR == 2 {
+    for (i = 1; i <= 2; ++i) { split($i, t, "m"); s += 60 * t[1] + t[2] }
+    printf "%d", s }' "$logs/times")
+  printf '\n%d s, %d s of processor time; logs in build/tests\n' \
+    $(($(date +%s) - started)) "$processor"
   [ $skipped = 0 ] || printf '%d skipped, ' $skipped
   printf '%d passed, %d failed\n' $passed $failed
   [ $failed = 0 ] && [ $passed != 0 ]
