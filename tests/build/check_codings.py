@@ -12,8 +12,8 @@ from toolchains import ROOT, finish, run
 
 FONTS = [ROOT / "tests/golden/fonts" / f"dejavu_sans_{coding}.bin"
          for coding in ("outline", "field")]
-# Names of functions that only the coding needs.
-FUNCTIONS = [["OutlineReader::", "OutlineGlyph::"],
+# Names that only the coding needs: canvases of 1 bit fit outlines alone.
+FUNCTIONS = [["OutlineReader::", "OutlineGlyph::", "kFitTwoLevels"],
              ["FieldRows::", "FieldSampler::"]]
 DRAWN = "0 1"
 UNSUPPORTED = "7 0"

@@ -8,6 +8,7 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
+#include "inkcell/port/mono_pages.hpp"
 
 using namespace inkcell;
 
@@ -24,6 +25,10 @@ static bool show(Span<const uint8_t> rom) {
   const Status status = Font::open(rom, PROBE_CODING, font);
   Painter(canvas).text(font, style, {Q26_6::from_int(4), Q26_6::from_int(40)},
                        "Again");
+  // A canvas of 1 bit, whose painters fit outlines.
+  static uint8_t bits[kSide * kSide / 8];
+  const port::MonoPagesCanvas mono({bits, 0, 0, kSide, kSide, kSide}, 1, 0);
+  Painter(mono).text(font, Style(12_px), {4, 40}, "Again");
   int32_t ink = 0;
   for (const uint8_t pixel : pixels) {
     ink += pixel;
