@@ -46,9 +46,9 @@ struct TextReport {
   uint32_t first_missing = 0;
   /// The first of these since it was `ok`, which the caller may set again:
   /// no_glyph: a character was missing. cut: a line ended early, after 2^24
-  /// font units or ValueLabel::kMostBytes. needs_shaping: letters of a script
-  /// such as Arabic were not joined (inkcell/layout/ knows). bad_argument: a
-  /// text box has no font, or an empty clip.
+  /// font units or ValueLabel::kMostBytes. needs_shaping: in a box or
+  /// label letters were not joined, or marks not placed (docs/STRINGS.md).
+  /// bad_argument: a text box has no font, or an empty clip.
   Status status = Status::ok;
 
   void note(Status what) noexcept {

@@ -29,6 +29,19 @@ uint32_t halves_of_em(uint32_t code_point) noexcept {
   }
 }
 
+// Letters that join their neighbours: Arabic, Syriac, N'Ko, Mandaic, jamo,
+// Mongolian, Phags-pa.
+bool joins(uint32_t code_point) noexcept {
+  constexpr uint16_t kRanges[][2] = {
+      {0x0620, 0x064a}, {0x066e, 0x06d3}, {0x06fa, 0x077f}, {0x07ca, 0x07ea},
+      {0x0840, 0x08c9}, {0x1100, 0x11ff}, {0x1807, 0x18aa}, {0xa840, 0xa873}};
+  bool is_found = false;
+  for (const uint16_t(&range)[2] : kRanges) {
+    is_found |= code_point >= range[0] && code_point <= range[1];
+  }
+  return is_found;
+}
+
 }  // namespace
 
 bool is_gap(uint32_t code_point) noexcept {
@@ -47,23 +60,6 @@ bool is_gap(uint32_t code_point) noexcept {
     default:
       return false;
   }
-}
-
-// Arabic, Syriac, N'Ko, Mandaic; Indic; Tibetan, Burmese; Khmer, Mongolian; Tai
-// and Balinese; their later blocks. Digits stand alone.
-bool needs_shaping(uint32_t code_point) noexcept {
-  constexpr uint16_t kRanges[][2] = {
-      {0x0620, 0x065f}, {0x066e, 0x06ef}, {0x06fa, 0x077f}, {0x07ca, 0x07f5},
-      {0x0840, 0x08ff}, {0x0900, 0x0dff}, {0x0f40, 0x109f}, {0x1700, 0x18aa},
-      {0x1900, 0x1c4f}, {0xa800, 0xa95f}, {0xa980, 0xaaff}, {0xabc0, 0xabed}};
-  for (const uint16_t(&range)[2] : kRanges) {
-    if (code_point <= range[1]) {
-      const bool is_indic = range[0] == 0x0900;
-      return code_point >= range[0] &&
-             !(is_indic && (code_point & 0x7f) - 0x66 < 10);
-    }
-  }
-  return false;
 }
 
 Pen::Pen(const Setting& setting, Order order) noexcept
@@ -262,10 +258,13 @@ void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   if (level % 2 != 0 && options().order() != nullptr) {
     code_point = options().order()->mirrored(code_point);
   }
-  if (setting_.painter.report() != nullptr && needs_shaping(code_point)) {
+  const Shown shown = shown_as(code_point);
+  const bool is_placed =
+      shown == Shown::mark || (shown == Shown::glyph && cell.is_mark);
+  if (setting_.painter.report() != nullptr &&
+      (is_placed || joins(code_point))) {
     setting_.painter.report()->note(Status::needs_shaping);
   }
-  const Shown shown = shown_as(code_point);
   int32_t advance = 0;
   const Glyph glyph = find_shown(code_point, shown, advance);
   cell.glyph = glyph.id;

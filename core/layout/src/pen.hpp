@@ -21,9 +21,6 @@ inline bool is_mark(uint32_t code_point) noexcept {
 // lines may end without them.
 bool is_gap(uint32_t code_point) noexcept;
 
-// Letters that are joined, reordered or stacked, by a shaper.
-bool needs_shaping(uint32_t code_point) noexcept;
-
 // A character on its line. Positions count from the line's left end, in the
 // pen's unit: whole pixels where the style has such advances, else font units.
 struct Cell {
