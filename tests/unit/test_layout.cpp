@@ -379,8 +379,8 @@ TEST(a_report_tells_of_what_is_not_drawn) {
     static_cast<void>(box.measure(text, painter));
     CHECK(report.status != Status::needs_shaping);
   }
-  constexpr const char* kJoined[] = {"A\u0628", "\u0939\u093e", "A\u0301",
-                                     "\u0e01\u0e31"};
+  constexpr const char* kJoined[] = {"A\u0628", "A\u093e", "A\u0301",
+                                     "A\u0e31"};
   for (const char* const text : kJoined) {
     report = {};
     static_cast<void>(box.measure(text, painter));
