@@ -374,6 +374,16 @@ void use_recipes(const Font& font, Choices& choices) {
     line.draw(painter);
     wipe.draw(painter);
   }
+  Clock seconds(font, style, origin, ClockUnit::seconds);
+  static_cast<void>(seconds.at(counted, counted + 1, choices.number()));
+  seconds.draw(painter);
+  const TextCircle circle = {
+      {x, Q26_6::from_raw(choices.number())},
+      Q26_6::from_raw(choices.number()),
+      Angle::from_raw(choices.u16()),
+      choices.byte() % 2 == 0 ? CircleSide::outside : CircleSide::inside,
+      static_cast<Anchor>(choices.byte() % 3)};
+  draw_on_circle(painter, font, style, circle, {text, sizeof text});
 }
 
 }  // namespace
