@@ -15,15 +15,15 @@
 # prints the command and ends the calling script. The test build.debian_packages
 # fails if the list demo or tests lacks a package, tests/web.sh if web does.
 
-inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
+inkcell_packages_demo="g++ cmake ninja-build python3
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev
   libcli11-dev nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev
-  libgif-dev nettle-dev liblua5.4-dev
+  libgif-dev nettle-dev
   gcc-arm-none-eabi gcc-riscv64-unknown-elf
   qemu-system-arm qemu-system-misc fonts-dejavu-core"
 
 inkcell_packages_windows="$inkcell_packages_demo libsdl2-dev libimgui-dev
-  fonts-roboto-unhinted"
+  pkg-config liblua5.4-dev fonts-roboto-unhinted"
 
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
@@ -34,7 +34,7 @@ inkcell_packages_first="$inkcell_packages_demo
   fonts-lohit-deva fonts-tlwg-loma-ttf"
 
 inkcell_packages_tests="$inkcell_packages_first libsdl2-dev libimgui-dev
-  clang clang-tidy cppcheck lld nodejs make meson
+  pkg-config liblua5.4-dev clang lld nodejs make meson
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
   fonts-dejavu-extra fonts-inter
