@@ -201,7 +201,7 @@ await $host
 
 summary
 result=$?
-if [ $lane = first ]; then
+if [ "$only" = "$first" ]; then
   cat <<'END'
 
 The second lane (sh tests/run.sh --all) holds: the studio (host_tools/design),
