@@ -21,7 +21,7 @@ bool prepare_field(FieldJob& job, const Placed& placed) noexcept {
     return false;
   }
   job.box = job.rows.box(placed);
-  return job.sink == nullptr ? !is_empty(job.box) : job.clip();
+  return !is_empty(job.box);
 }
 
 bool prepare_glyph(GlyphJob& base,
@@ -41,15 +41,19 @@ bool prepare_single(GlyphJob& base,
   return prepare_field(job, placed);
 }
 
+bool load_none(GlyphJob&) noexcept {
+  return true;
+}
+
 void fill_band(GlyphJob& base) noexcept {
   const auto& job = static_cast<FieldJob&>(base);
   job.rows.fill(job.band, job.plan.band_kind->bytes, job.band_x_q8(),
                 job.band_y_q8());
 }
 
-constexpr Source kFieldSource = {prepare_glyph, fill_band, sizeof(FieldJob),
-                                 true};
-constexpr Source kSingleFieldSource = {prepare_single, fill_band,
+constexpr Source kFieldSource = {prepare_glyph, load_none, fill_band,
+                                 sizeof(FieldJob), true};
+constexpr Source kSingleFieldSource = {prepare_single, load_none, fill_band,
                                        sizeof(FieldJob), true};
 
 }  // namespace

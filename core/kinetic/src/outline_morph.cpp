@@ -60,10 +60,7 @@ bool find_glyph(const MorphJob& job,
 
 // The box of the outline on its way, and where its points count from.
 void find_box(const MorphJob& job, OutlineGlyph& outline, Rect& box) noexcept {
-  const BandPlan& plan = job.plan;
-  outline.find_box(job.placed, plan,
-                   plan.band_kind->bytes == detail::BandBytes::area ? 0 : 128,
-                   job.ink, box);
+  outline.find_box(job.placed, job.plan, job.guards * 128, job.ink, box);
 }
 
 // Rounded outwards: by a 32nd of a pixel.
@@ -136,7 +133,8 @@ bool load_kept(MorphJob& job, MorphPoints& kept) noexcept {
   return kept.count != 0;
 }
 
-bool load_points(MorphJob& job) noexcept {
+bool load_points(GlyphJob& base) noexcept {
+  auto& job = static_cast<MorphJob&>(base);
   if (job.morphing->points != nullptr) {
     return load_kept(job, *job.morphing->points);
   }
@@ -179,17 +177,16 @@ bool prepare_morph(GlyphJob& base,
   auto& job = static_cast<MorphJob&>(base);
   job.morphing = static_cast<const Morphing*>(ref.from);
   job.placed = placed;
-  return find_morph(job) &&
-         (job.sink == nullptr || (job.clip() && load_points(job)));
+  return find_morph(job);
 }
 
 void fill_morph(GlyphJob& base) noexcept {
   auto& job = static_cast<MorphJob&>(base);
-  job.cursor.begin();
+  job.cursor.begin(job.guards == 0);
   job.plan.band_kind->paint(job.band, job.cursor, job.points, job.points_end);
 }
 
-constexpr detail::Source kMorphSource = {prepare_morph, fill_morph,
+constexpr detail::Source kMorphSource = {prepare_morph, load_points, fill_morph,
                                          sizeof(MorphJob), false};
 
 int32_t to_q10(Q16_16 progress) noexcept {

@@ -420,7 +420,8 @@ void paint_areas(const Band& band,
                  const ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
   AreaPainter painter = {band};
-  walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
+  walk_contours(band, cursor.first_edge(), cursor.is_bent, points, end,
+                painter);
 }
 
 }  // namespace detail

@@ -94,10 +94,16 @@ struct OutlineCursor {
   PixelPoint& first() noexcept { return points[1]; }
   PixelPoint& before() noexcept { return points[2]; }
 
+  // For those that halve nothing and need none of that: the edge comes first,
+  // and what lies behind it is free.
+  PixelPoint* first_edge() noexcept { return points; }
+  PixelPoint* halves() noexcept { return points + 3; }
+
   // All else is set by the start of a contour.
-  void begin() noexcept {
-    edge()[0] = {0, 0};
-    edge()[1] = {0, 0};
+  void begin(bool halves_nothing) noexcept {
+    PixelPoint* const at = halves_nothing ? first_edge() : edge();
+    at[0] = {0, 0};
+    at[1] = {0, 0};
     is_bent = false;
     corner_at = 0;
   }

@@ -13,13 +13,8 @@ namespace {
 
 // More is not used: sizes stay below 2^31.
 constexpr size_t kMostBytes = 1 << 20;
-// Rows above and below a band, and a word before the first: see Band.
-constexpr int32_t kGuardRows = 2;
+// A word before the rows of a band: see Band.
 constexpr int32_t kGuardBytes = 4;
-
-// Bands that are cut in columns have at least so many rows; half of them where
-// a pixel takes several rows or a sample several bytes.
-constexpr int32_t kLeastRows = 4;
 
 // What draw_bands() and band_box() are called with.
 struct GlyphCall {
@@ -33,9 +28,10 @@ struct GlyphCall {
 constexpr Sink kAnySink = {{INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}};
 
 // Samples before the first pixel of a band, from a multiple of 4 on: one of
-// them at least.
-int32_t columns_before(const BandPlan& plan, int32_t x0) noexcept {
-  return ((x0 * plan.columns - plan.margin_x - 1) & 3) + 1 + plan.margin_x;
+// them at least, but for areas, whose first pixel holds all to its left.
+int32_t columns_before(const GlyphJob& job, int32_t x0) noexcept {
+  const int32_t margin = job.plan.margin_x + job.guards;
+  return ((x0 * job.plan.columns - margin) & 3) + margin;
 }
 // Samples of a band of pixels, from there on.
 int32_t width_of(const BandPlan& plan,
@@ -80,26 +76,31 @@ bool make_plan(const Source& source,
   return true;
 }
 
-// False: nothing shows.
+// False: nothing shows. `ram`: at least room for the maps of a fitted style.
 bool prepare(GlyphJob& job,
+             const GlyphCall& call,
              uint8_t* ram,
-             int32_t ram_bytes,
-             const GlyphCall& call) noexcept {
+             size_t bytes) noexcept {
   const Source& source = *call.ref.source;
   job.source = &source;
   job.style = &call.style;
   job.sink = call.sink;
   job.ram = ram;
-  job.ram_bytes = ram_bytes;
-  return make_plan(source, call.style, job.plan) &&
-         source.prepare(job, call.ref, call.placed);
+  job.ram_bytes = static_cast<int32_t>(bytes);
+  if (!make_plan(source, call.style, job.plan)) {
+    return false;
+  }
+  job.guards = job.plan.band_kind->bytes == BandBytes::area ? 0 : 1;
+  return source.prepare(job, call.ref, call.placed) &&
+         (call.sink == nullptr || job.clip());
 }
 
-// The same of a job at the beginning of its RAM.
+// The same of a job at the beginning of its RAM, with what it keeps there.
 bool prepare_in(const Workspace& ram, const GlyphCall& call) noexcept {
-  const int32_t job_bytes = call.ref.source->job_bytes;
-  return prepare(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
-                 static_cast<int32_t>(ram.size) - job_bytes, call);
+  auto& job = *reinterpret_cast<GlyphJob*>(ram.data);
+  const size_t job_bytes = call.ref.source->job_bytes;
+  return prepare(job, call, ram.data + job_bytes, ram.size - job_bytes) &&
+         job.source->load(job);
 }
 
 // How far the band's distances are good.
@@ -118,7 +119,7 @@ void set_reach(GlyphJob& job) noexcept {
 // Where the samples of job.pixels lie in the rows of a band.
 void arrange_rows(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
-  const int32_t column = columns_before(plan, job.pixels.x0);
+  const int32_t column = columns_before(job, job.pixels.x0);
   const int32_t width = width_of(plan, column, job.pixels);
   job.column = static_cast<uint8_t>(column);
   job.band.last_column = width - 1;
@@ -134,7 +135,7 @@ inline void draw_band(GlyphJob& job) noexcept {
   const int32_t height = pixels.y1 - pixels.y0;
   job.row = plan.margin_y;
   band.rows = height * plan.rows + 2 * plan.margin_y;
-  band.bytes = job.ram + kGuardBytes + band.stride;
+  band.bytes = job.ram + job.guards * (kGuardBytes + band.stride);
   band.x_q8 =
       ((pixels.x0 - first_column(job.box)) * plan.columns - job.column) * 256;
   band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
@@ -150,24 +151,24 @@ void draw_prepared(GlyphJob& job) noexcept {
   const Rect all = part;
   arrange_rows(job);
   const BandPlan& plan = job.plan;
-  const int32_t bytes = job.ram_bytes - kGuardBytes;
-  const int32_t stride = job.band.stride;
-  const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
+  const int32_t guards = job.guards;
+  const int32_t bytes = job.ram_bytes - guards * kGuardBytes;
+  const int32_t more_rows = 2 * (guards + plan.margin_y);
   // Rows of bytes that a row of pixels takes.
   const int32_t row_bytes = plan.rows * plan.sample_bytes;
-  int32_t rows = all.y1 - all.y0;
   int32_t columns = all.x1 - all.x0;
+  int32_t stride = job.band.stride;
+  int32_t rows = all.y1 - all.y0;
   if ((rows * row_bytes + more_rows) * stride > bytes) {
+    // Two rows at least, or one if nothing is around it: else columns are cut.
     const int32_t least =
-        min(rows, row_bytes == 1 ? kLeastRows : kLeastRows / 2);
-    rows = quotient(quotient(bytes, stride) - more_rows, row_bytes);
-    if (rows < least) {
-      rows = least;
-      columns = quotient((quotient(bytes, rows * row_bytes + more_rows) & ~3) -
-                             8 - 2 * plan.margin_x,
-                         plan.columns);
-      INKCELL_ASSERT(columns > 0);  // within what BandPlan allows
+        more_rows == 0 ? row_bytes : 2 * row_bytes + more_rows;
+    while (least * stride > bytes) {
+      INKCELL_ASSERT(columns > 4);  // within what BandPlan allows
+      columns = ((columns + 1) / 2 + 3) & ~3;
+      stride = (columns * plan.columns + 8 + 2 * plan.margin_x) & ~3;
     }
+    rows = quotient(quotient(bytes, stride) - more_rows, row_bytes);
   }
   for (; part.y0 < all.y1; part.y0 = part.y1) {
     part.y1 = min(part.y0 + rows, all.y1);
@@ -179,42 +180,11 @@ void draw_prepared(GlyphJob& job) noexcept {
   }
 }
 
-__attribute__((noinline)) void draw_in(const GlyphCall& call,
-                                       const Workspace& ram) noexcept {
-  if (prepare_in(ram, call)) {
-    draw_prepared(*reinterpret_cast<GlyphJob*>(ram.data));
-  }
-}
-
-__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
-                                             const Style& style,
-                                             const Placed& placed,
-                                             const Sink& sink) noexcept {
-  alignas(GlyphJob) uint8_t bytes[kLeastRam];
-  draw_in({ref, style, placed, &sink}, {bytes, sizeof bytes});
-}
-
-__attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
-                                                    const Style& style,
-                                                    const Placed& placed,
-                                                    const Sink& sink) noexcept {
-  alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
-  draw_in({ref, style, placed, &sink}, {bytes, sizeof bytes});
-}
-
-// Not inline: most glyphs do not need its part of the stack.
-__attribute__((noinline)) bool prepare_fitted(GlyphJob& job,
-                                              const GlyphCall& call) noexcept {
-  alignas(GlyphJob) uint8_t maps[kMaps];
-  return prepare(job, maps, sizeof maps, call);
-}
-
-// The part of a workspace that begins where pointers may lie; none if that is
-// too small.
+// The part of a workspace that begins where pointers may lie.
 Workspace aligned(const Workspace& workspace) noexcept {
   const uintptr_t skipped = (0u - reinterpret_cast<uintptr_t>(workspace.data)) &
                             (alignof(GlyphJob) - 1);
-  if (workspace.size < kLeastFittedRam + skipped) {
+  if (workspace.size < skipped) {
     return {};
   }
   const size_t size = workspace.size - skipped;
@@ -222,11 +192,76 @@ Workspace aligned(const Workspace& workspace) noexcept {
           (size < kMostBytes ? size : kMostBytes) & ~size_t{3}};
 }
 
+__attribute__((noinline)) void draw_in(GlyphJob& job,
+                                       uint8_t* ram,
+                                       size_t bytes) noexcept {
+  job.ram = ram;
+  job.ram_bytes = static_cast<int32_t>(bytes);
+  if (job.source->load(job)) {
+    draw_prepared(job);
+  }
+}
+
+__attribute__((noinline)) void draw_narrow(GlyphJob& job) noexcept {
+  alignas(4) uint8_t bytes[kBandRam];
+  draw_in(job, bytes, sizeof bytes);
+}
+__attribute__((noinline)) void draw_wide(GlyphJob& job) noexcept {
+  alignas(4) uint8_t bytes[kWideBandRam];
+  draw_in(job, bytes, sizeof bytes);
+}
+
+// Points and bands lie deeper in the stack than what fits the glyph, which
+// takes as much of it. There is more for areas of which pixels two rows away
+// decide about one: their painter takes less.
+void draw_apart(GlyphJob& job) noexcept {
+  if (job.plan.margin_y - job.guards == 2) {
+    draw_wide(job);
+  } else {
+    draw_narrow(job);
+  }
+}
+
+__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
+                                             const Style& style,
+                                             const Placed& placed,
+                                             const Sink& sink) noexcept {
+  alignas(GlyphJob) uint8_t bytes[kMostJob];
+  auto& job = *reinterpret_cast<GlyphJob*>(bytes);
+  if (prepare(job, {ref, style, placed, &sink}, nullptr, 0)) {
+    draw_apart(job);
+  }
+}
+
+// The same with maps. Lent RAM that has no room for the job has some for bands,
+// unless it is null.
+__attribute__((noinline)) void draw_fitted_on_stack(
+    const GlyphCall& call, const Workspace& ram) noexcept {
+  alignas(GlyphJob) uint8_t bytes[kMostJob + kMaps];
+  auto& job = *reinterpret_cast<GlyphJob*>(bytes);
+  if (!prepare(job, call, bytes + call.ref.source->job_bytes, kMaps)) {
+    return;
+  }
+  if (ram.size > kWideBandRam) {
+    draw_in(job, ram.data, ram.size);
+  } else {
+    draw_apart(job);
+  }
+}
+
+// Not inline: most glyphs do not need its part of the stack.
+__attribute__((noinline)) bool prepare_fitted(GlyphJob& job,
+                                              const GlyphCall& call) noexcept {
+  alignas(GlyphJob) uint8_t maps[kMaps];
+  return prepare(job, call, maps, sizeof maps);
+}
+
 }  // namespace
 
 __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
-  clear_pixels(job.ram,
-               kGuardBytes + (job.band.rows + kGuardRows) * job.band.stride);
+  const int32_t guards = job.guards;
+  clear_pixels(job.ram, guards * kGuardBytes +
+                            (job.band.rows + 2 * guards) * job.band.stride);
   job.source->fill(job);
 }
 
@@ -236,12 +271,15 @@ void draw_bands(const GlyphRef& ref,
                 const Sink& sink,
                 const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
-  if (ram.size != 0) {
-    draw_in({ref, style, placed, &sink}, ram);
-  } else if (style.is_fitted()) {
-    draw_fitted_on_stack(ref, style, placed, sink);
-  } else {
+  if (ram.size <= kWideBandRam && !style.is_fitted()) {
     draw_on_stack(ref, style, placed, sink);
+    return;
+  }
+  const GlyphCall call = {ref, style, placed, &sink};
+  if (ram.size < kLeastFittedRam) {
+    draw_fitted_on_stack(call, ram);
+  } else if (prepare_in(ram, call)) {
+    draw_prepared(*reinterpret_cast<GlyphJob*>(ram.data));
   }
 }
 
@@ -252,7 +290,7 @@ Rect band_box(const GlyphRef& ref,
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
   const GlyphCall call = {ref, style, placed, nullptr};
   const bool shows = style.is_fitted() ? prepare_fitted(job, call)
-                                       : prepare(job, nullptr, 0, call);
+                                       : prepare(job, call, nullptr, 0);
   return shows ? job.box : Rect{};
 }
 
@@ -266,7 +304,7 @@ Status PreparedGlyph::make(const Font& font,
                            PreparedGlyph& out) noexcept {
   using namespace detail;
   const Workspace ram = aligned(workspace);
-  if (ram.size == 0) {
+  if (ram.size < kLeastFittedRam) {
     return Status::buffer_small;
   }
   if (glyph >= font.glyph_count()) {

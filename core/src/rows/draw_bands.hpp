@@ -10,9 +10,9 @@
 namespace inkcell {
 namespace detail {
 
-// Draws a placed glyph. The picture is the same for any workspace; without one,
-// or with a small one, it takes kLeastRam bytes of the stack, or, if the style
-// is fitted, kLeastFittedRam.
+// Draws a placed glyph. The picture is the same for any workspace. One of
+// kLeastFittedRam bytes holds all; one of more than kWideBandRam points and
+// bands; what a smaller one does not hold lies on the stack.
 void draw_bands(const GlyphRef& ref,
                 const Style& style,
                 const Placed& placed,

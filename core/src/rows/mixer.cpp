@@ -55,8 +55,8 @@ void GlyphBand::repaint(int32_t right_q8, int32_t down_q8) noexcept {
 }
 
 uint8_t* GlyphBand::memory() const noexcept {
-  const detail::Band& band = job_of(*this).band;
-  return band.row(band.rows + 1);
+  const GlyphJob& job = job_of(*this);
+  return job.band.row(job.band.rows + job.guards);
 }
 
 void GlyphBand::emit() const noexcept {

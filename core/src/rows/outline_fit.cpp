@@ -57,6 +57,8 @@ bool fit_outline(OutlineJob& job,
                  Placed& placed,
                  InkEnds (&ink)[2]) noexcept {
   auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
+  job.ram += sizeof warp;
+  job.ram_bytes -= int32_t{sizeof warp};
   const Style& style = *job.style;
   FinePoint origin = placed.origin();
   style.fitter()->fit(font, style, glyph, job.outline.metrics(), origin, warp);

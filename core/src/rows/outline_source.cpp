@@ -17,7 +17,7 @@ namespace {
 
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
-constexpr int32_t kPortion = 12;
+constexpr int32_t kPortion = 8;
 
 static_assert(sizeof(OutlineJob) <= kMostJob);
 static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);
@@ -34,28 +34,44 @@ __attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
 }
 
 // False: there are none.
-bool load_points(OutlineJob& job) noexcept {
-  uint8_t* begin = job.ram;
-  if (job.warp != nullptr) {
-    begin += sizeof(GlyphWarp);
-  }
-  uint8_t* const all_end = job.ram + job.ram_bytes;
-  const auto size = static_cast<int32_t>(all_end - begin);
-  // Half of it for points at most.
-  const int32_t room =
-      min(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
-  auto* const points = reinterpret_cast<ScreenPoint*>(begin);
+bool load_points(GlyphJob& base) noexcept {
+  constexpr int32_t kBytes = sizeof(ScreenPoint);
+  auto& job = static_cast<OutlineJob&>(base);
+  // Room behind the edge at hand, where areas halve nothing, and that of maps
+  // once all points are fitted.
+  auto* end = reinterpret_cast<uint8_t*>(&job + 1);
+  auto* out =
+      job.guards != 0 ? end : reinterpret_cast<uint8_t*>(job.cursor.halves());
+  const int32_t maps = job.style->is_fitted() ? kMaps : 0;
+  auto room = static_cast<int32_t>(end - out);
+  // Three eighths of the RAM for points at most.
+  const int32_t most = min(job.ram_bytes * 3 >> 3, job.ram_bytes - kLeastBand);
+  auto* points = reinterpret_cast<ScreenPoint*>(job.ram);
   job.points = points;
   job.outline.rewind();
-  ScreenPoint* end = read_points(job, room);
-  const bool has_any = end != points;
-  job.has_all = job.outline.is_done();
-  if (!job.has_all) {
-    end = points + min(kPortion, room);
+  int32_t bytes =
+      kBytes * static_cast<int32_t>(
+                   read_points(job, max(most, min(room + maps, job.ram_bytes)) /
+                                        kBytes) -
+                   points);
+  if (bytes == 0) {
+    return false;
   }
-  job.ram = reinterpret_cast<uint8_t*>(end);
-  job.ram_bytes = static_cast<int32_t>(all_end - job.ram);
-  return has_any;
+  job.has_all = job.outline.is_done();
+  if (job.has_all) {
+    room += maps;
+  } else {
+    bytes = min(kPortion * kBytes, most);
+  }
+  job.count = static_cast<uint16_t>(bytes / kBytes);
+  if (bytes <= room) {
+    job.points = reinterpret_cast<ScreenPoint*>(out);
+    __builtin_memcpy(out, points, static_cast<size_t>(bytes));
+  } else {
+    job.ram += bytes;
+    job.ram_bytes -= bytes;
+  }
+  return true;
 }
 
 bool prepare_outline(GlyphJob& base,
@@ -77,32 +93,27 @@ bool prepare_outline(GlyphJob& base,
                                job, font, ref.glyph, placed, ink)) {
     return false;
   }
-  const BandPlan& plan = job.plan;
-  outline.find_box(placed, plan,
-                   plan.band_kind->bytes == BandBytes::area ? 0 : 128, ink,
-                   job.box);
-  return job.sink == nullptr || (job.clip() && load_points(job));
+  outline.find_box(placed, job.plan, job.guards * 128, ink, job.box);
+  return true;
 }
 
 // All points, or portions of those for which there is no room.
 void fill_band(GlyphJob& base) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
   const auto paint = job.plan.band_kind->paint;
-  job.cursor.begin();
-  const auto* end = reinterpret_cast<const ScreenPoint*>(job.ram);
+  job.cursor.begin(job.guards == 0);
   if (job.has_all) {
-    paint(job.band, job.cursor, job.points, end);
+    paint(job.band, job.cursor, job.points, job.points + job.count);
     return;
   }
-  const auto room = static_cast<int32_t>(end - job.points);
   job.outline.rewind();
   do {
-    end = read_points(job, room);
+    const ScreenPoint* const end = read_points(job, job.count);
     paint(job.band, job.cursor, job.points, end);
   } while (!job.outline.is_done());
 }
 
-constexpr Source kOutlineSource = {prepare_outline, fill_band,
+constexpr Source kOutlineSource = {prepare_outline, load_points, fill_band,
                                    sizeof(OutlineJob), false};
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace detail {
 
 // A glyph of outlines.
 struct __attribute__((may_alias)) OutlineJob : GlyphJob {
-  bool has_all;         // points
-  GlyphWarp* warp;      // at the beginning of the RAM; null: it is not fitted
-  ScreenPoint* points;  // all of them, or room for some, up to `ram`
+  bool has_all;     // points
+  uint16_t count;   // of points that there are, or that there is room for
+  GlyphWarp* warp;  // behind the job; null: it is not fitted
+  ScreenPoint* points;
   OutlineGlyph outline;
   OutlineCursor cursor;
 };

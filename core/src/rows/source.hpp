@@ -30,9 +30,13 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
   // Where the band's first pixel has its first sample. First, as in Band.
   uint8_t column;
   uint8_t row;
+  // Rows above and below a band that painters may write to, see Band, and
+  // columns before it: areas have none. Samples lie in the middle of pixels
+  // where there is one.
+  uint8_t guards;
 
-  // RAM behind the job. Source::prepare() takes its part from the beginning;
-  // the rest is for bands.
+  // RAM behind the job. A source takes its part from the beginning; the rest is
+  // for bands.
   int32_t ram_bytes;
 
   BandPlan plan;
@@ -57,9 +61,10 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
 // Draws the glyphs of one coding of fonts (Coding::source). draw_bands.cpp
 // calls, with a plan in place:
 //   prepare  finds the box, and sets band.is_mirrored. For a fitted style it
-//            takes the maps from `ram`. If there is a sink, it clips the box,
-//            and takes what it keeps for fill() from `ram` (multiples of 4
-//            bytes; kLeastBand must be left). False: nothing shows.
+//            takes the maps from `ram`. False: nothing shows.
+//   load     once the box is clipped: takes what it keeps for fill() from `ram`
+//            (multiples of 4 bytes; kLeastBand must be left). False: nothing
+//            shows.
 //   fill     paints job.band, whose bytes are all 0, as plan.band_kind says.
 //            Once or several times for each band, which a mixer may have moved
 //            by parts of a pixel, in any order.
@@ -70,6 +75,7 @@ struct Source {
   bool (*prepare)(GlyphJob& job,
                   const GlyphRef& ref,
                   const Placed& placed) noexcept;
+  bool (*load)(GlyphJob& job) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
   uint16_t job_bytes;  // size of the struct, kMostJob at most
   bool is_field;       // jobs are FieldJobs (field_source.hpp)
@@ -79,16 +85,21 @@ struct Source {
 // margin 4 + 6 rows of 16 columns. [bytes]
 inline constexpr int32_t kLeastBand = 4 + 10 * 16;
 
-// The largest job of a source, what prepare() takes at most where there is
-// little RAM, and the maps. [bytes]
+// The largest job of a source, what load() takes at most where there is little
+// RAM, and the maps. [bytes]
 inline constexpr int32_t kMostJob =
     256 + 19 * static_cast<int32_t>(sizeof(void*));
-inline constexpr int32_t kMostLoaded = 96;
+inline constexpr int32_t kMostLoaded = 64;
 inline constexpr int32_t kMaps = sizeof(GlyphWarp);
 
-// The least RAM that a glyph is drawn in, and that of one that is fitted.
+// The least RAM that a glyph is drawn in, that of one that is fitted, and what
+// there is on the stack behind a job; more of it if pixels two rows away decide
+// about one.
 inline constexpr int32_t kLeastRam = kMostJob + kMostLoaded + kLeastBand;
 inline constexpr int32_t kLeastFittedRam = kLeastRam + kMaps;
+inline constexpr int32_t kBandRam = 248;
+inline constexpr int32_t kWideBandRam = 488;
+static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
 
 }  // namespace detail
 }  // namespace inkcell

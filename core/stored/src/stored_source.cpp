@@ -23,8 +23,8 @@ bool prepare_stored(GlyphJob& job,
                           placed);
 }
 
-constexpr Source kStoredSource = {prepare_stored, nullptr, sizeof(OutlineJob),
-                                  false};
+constexpr Source kStoredSource = {prepare_stored, nullptr, nullptr,
+                                  sizeof(OutlineJob), false};
 
 }  // namespace
 
