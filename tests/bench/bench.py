@@ -68,6 +68,7 @@ WHAT = {
     "glyphs": "each engine, coding and size",
     "turned": "text that is turned or leans, over upright",
     "memory": "outlines without lent RAM, and decoded for each strip",
+    "canvases": "a line of text into each canvas, with more and less RAM lent",
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
@@ -89,6 +90,17 @@ MODE_SIZES = ["12", "24"]
 # Cores whose modes are in the document.
 MODE_CPUS = ("m0", "m3")
 ASCII = ("32", "126")
+# What canvases are measured with, and how many times the cost with the most RAM
+# a line costs with none, at most, at these sizes. QEMU's arguments have no
+# blanks.
+CANVAS_TEXT = "Hamburg,23.5%"
+CANVAS_SIZES = ("8", "12", "16", "20", "24", "32", "40", "48", "64")
+LENT = (0, 512, 1024, 2560)
+MOST_WITHOUT_RAM = 1.9
+# What a line takes of the stack then, at most, on m0 in C++: where text is fitted
+# by itself, and elsewhere. [bytes]
+STACK_WITHOUT_RAM = {"grey2": 1864, "mono_rows": 1864, "mono_pages": 1864}
+OTHER_STACK_WITHOUT_RAM = 1392
 DIGITS = ("48", "57")
 # Generated fields: half width of the band, tolerances. [u, 1/1024 u]
 BAND = "32"
@@ -480,6 +492,48 @@ def measure_cache(firmware, sizes, font, about):
                "ram": held["workspace"]}
 
 
+def measure_canvases(firmware, font):
+    """A line of text into each canvas, in C++ and in C."""
+    name = firmware.fonts.files[font, "inkcell", "outline"]
+    for language, program in (("C++", "canvases"), ("C", "canvases_c")):
+        pictures = {}
+        for canvas, numbers in firmware.run(
+                program, name, CANVAS_TEXT, ",".join(map(str, LENT)),
+                *CANVAS_SIZES):
+            px, lent, instructions, stack, picture = numbers
+            pictures.setdefault((canvas, px), set()).add(picture)
+            yield {"figure": "canvas", "cpu": firmware.cpu,
+                   "opt": firmware.opt, "font": font.stem,
+                   "language": language, "canvas": canvas, "px": px,
+                   "lent": lent, "instructions": instructions, "stack": stack}
+        for (canvas, px), drawn in pictures.items():
+            if len(drawn) != 1:
+                sys.exit(f"bench: {font.stem}, {canvas}, {px} px: the picture "
+                         "depends on the RAM that is lent")
+
+
+def check_canvases(figures):
+    """That no line costs much more for want of RAM."""
+    most = {}
+    canvases = [f for f in figures if f["figure"] == "canvas"]
+    for f in canvases:
+        if f["lent"] == LENT[-1]:
+            most[report.canvas_key(f)] = f["instructions"]
+    for f in canvases:
+        ratio = f["instructions"] / most[report.canvas_key(f)]
+        if ratio > MOST_WITHOUT_RAM:
+            sys.exit(f"bench: {f['cpu']} -{f['opt']}, {f['language']}, "
+                     f"{f['font']}, {f['canvas']}, {f['px']} px: with "
+                     f"{f['lent']} B lent a line costs {ratio:.2f} times what "
+                     f"it costs with {LENT[-1]} B; {MOST_WITHOUT_RAM} is the "
+                     "limit")
+        limit = STACK_WITHOUT_RAM.get(f["canvas"], OTHER_STACK_WITHOUT_RAM)
+        if (f["cpu"], f["language"]) == ("m0", "C++") and f["stack"] > limit:
+            sys.exit(f"bench: {f['font']}, {f['canvas']}, {f['px']} px, "
+                     f"{f['lent']} B lent: {f['stack']} B of stack; {limit} is "
+                     "the limit")
+
+
 def measure_styled(firmware, arguments, font, coding, upright, pictures):
     """The figures of one font that are not a table."""
     name = firmware.fonts.files[font, "inkcell", coding]
@@ -584,6 +638,11 @@ def measure_others(firmware, arguments, upright, pictures):
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
                 yield from measure_fields(firmware, font)
+    if "canvases" in arguments.what and firmware.opt == "O2" and (
+            not arguments.write_docs or firmware.cpu in MODE_CPUS):
+        for font in arguments.font:
+            if (font, "inkcell", "outline") in firmware.fonts.files:
+                yield from measure_canvases(firmware, font)
     if "kinetic" in arguments.what:
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
@@ -654,6 +713,8 @@ def targets_of(arguments):
                 set(arguments.what))
     if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")
+    if "canvases" in arguments.what:
+        targets |= {"canvases", "canvases_c"}
     if "code" in arguments.what:
         targets |= set(kept_programs(arguments))
     return sorted(targets)
@@ -708,6 +769,7 @@ def main():
             results += glyphs
             others += more
     check_bounds(results, others)
+    check_canvases(others)
     if arguments.against:
         made = all(is_rom_font(font) for font in arguments.font)
         before = against.measure(ROOT, arguments.against, build,

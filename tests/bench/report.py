@@ -439,6 +439,41 @@ def mode_table(figures):
     return text
 
 
+def canvas_key(figure):
+    """All of a line of text but the RAM that is lent."""
+    return tuple(figure[name] for name in
+                 ("cpu", "opt", "font", "language", "canvas", "px"))
+
+
+def canvas_tables(figures):
+    """A line of text into each canvas, with more and less RAM lent."""
+    some = [f for f in figures if f["figure"] == "canvas"]
+    text = ("## Canvases, and RAM that is lent\n\nThousands of instructions "
+            "for a line of 13 characters, in one call, by the bytes of RAM "
+            "that are lent;\nand the deepest stack of all sizes, in bytes, in "
+            "C++ and in C. Pictures are the same.\n\n")
+    for cpu, opt, font in unique((f["cpu"], f["opt"], f["font"])
+                                 for f in some):
+        mine = [f for f in some
+                if (f["cpu"], f["opt"], f["font"]) == (cpu, opt, font)]
+        sizes = unique(f["px"] for f in mine)
+        rows = []
+        for canvas, lent in unique((f["canvas"], f["lent"]) for f in mine):
+            row = [f for f in mine
+                   if (f["canvas"], f["lent"]) == (canvas, lent)]
+            cells = {f["px"]: thousands(f["instructions"]) for f in row
+                     if f["language"] == "C++"}
+            stacks = [max(f["stack"] for f in row
+                          if f["language"] == language)
+                      for language in ("C++", "C")]
+            rows.append([f"`{canvas}`, {lent}", *(cells[px] for px in sizes),
+                         *stacks])
+        text += f"{font}, {CORES[cpu]}, -{opt}:\n\n" + table(
+            ["canvas, lent", *(f"{px} px" for px in sizes), "stack",
+             "stack in C"], rows)
+    return text
+
+
 def other_tables(figures):
     """What is not a glyph by itself."""
     def ratio(figure):
@@ -505,7 +540,8 @@ def write_document(results, figures, smallest, sources, lvgl):
                       stack_table(results) + memory_table(results) +
                       code_table(results, figures) +
                       smallest_tables(smallest) + mode_table(figures) +
-                      bound_table(figures) + other_tables(figures) +
+                      bound_table(figures) + canvas_tables(figures) +
+                      other_tables(figures) +
                       chapter_of("Faces") + (lvgl or chapter_of("In LVGL"))])
     DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {DOCUMENT}")

@@ -27,8 +27,10 @@ FRAMES = LIMITS["frames"]
 WIDE = ("fill_rows", "mix_samples", "draw_cells", "step", "draw_body",
         "band_box")
 
-# These hold a glyph and its bands where the caller lends no RAM.
-WITHOUT_RAM = ("draw_on_stack", "draw_fitted_on_stack")
+# Where the caller lends no RAM, the first two hold a glyph, and the others,
+# below them, its points and bands.
+WITHOUT_RAM = ("draw_on_stack", "draw_fitted_on_stack", "draw_narrow",
+               "draw_wide")
 
 # What a device's C library or compiler must bring: block moves, and integer
 # arithmetic that the core lacks.
