@@ -11,6 +11,7 @@
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/port/strip_loop.hpp"
+#include "inkcell/shaped_run.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -116,17 +117,22 @@ Line lay_out(const Font& font,
              Kerning kerning,
              const Style& style) {
   Line line;
-  int32_t kerned = 0;
-  int32_t unkerned = 0;
+  std::vector<ShapedGlyph> run;
   TextCursor cursor(font, Text(text.data(), text.size()), style);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    if (kerning == Kerning::none) {
-      kerned += at.x - unkerned;
-      unkerned = cursor.advance();
-    }
-    at.x -= kerned;
     line.glyphs.push_back(at);
+    const int32_t x = run.empty() ? 0 : font.advance(run.back().glyph);
+    run.push_back({at.glyph, static_cast<int16_t>(std::min(x, 32767)), 0});
+  }
+  if (kerning == Kerning::none) {
+    std::vector<PositionedGlyph> room(run.size());
+    Span<const PositionedGlyph> glyphs;
+    static_cast<void>(lay_out(font, ShapedRun{{run.data(), run.size()}, 0},
+                              style, {room.data(), room.size()}, glyphs));
+    for (size_t i = 0; i != glyphs.size; ++i) {
+      line.glyphs[i].x = glyphs[i].x;
+    }
   }
   return line;
 }

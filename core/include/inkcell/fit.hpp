@@ -34,11 +34,12 @@ class HeightFit;
 struct FitOptions {
   static constexpr uint16_t kAll = 256;
 
-  /// Fits x, too: stems and advances are whole pixels. Reads best to 11 px, and
-  /// at any size on displays of 1 and 2 bits; lines get 3 to 14 % longer.
+  /// Fits x, too: stems are whole pixels, and advances are the designed ones to
+  /// the nearest pixel. Reads best to 11 px, and at any size on displays of 1
+  /// and 2 bits.
   bool across = false;
   /// The display's levels: 0, many; 2 or 4. With 2 all strokes are whole
-  /// pixels, and serifs are left out below 12 px.
+  /// pixels, and serifs are left out below 16 px.
   uint8_t levels = 0;
   /// How far points move towards the grid: 0 not at all, kAll all the way. For
   /// text that begins to move or comes to rest.

@@ -30,6 +30,12 @@ extern const OutlineFitter kOutlineFitter;
 extern const Slant kSlant;
 }  // namespace detail
 
+/// Between the ink of two glyphs, without kerning. [px]
+struct FitGap {
+  int32_t fitted_q6;
+  int32_t designed_q6;
+};
+
 /// Grid fitting (fit.hpp has some). Styles are those that name it, with what
 /// Style::set_fit() was given as their fit_options().
 struct Fitter {
@@ -47,6 +53,11 @@ struct Fitter {
   int32_t (*advance_px)(const Font& font,
                         const Style& style,
                         uint16_t glyph) noexcept;
+  /// What lies between the ink of two glyphs that follow each other.
+  FitGap (*gap)(const Font& font,
+                const Style& style,
+                uint16_t left,
+                uint16_t right) noexcept;
   /// What moves the points of outlines, linked with the fitter.
   const detail::OutlineFitter* outlines = &detail::kOutlineFitter;
 };

@@ -86,8 +86,9 @@ class TextCursor {
       : font_(font), text_(text), size_(text.size), report_(report) {}
 
   /// With the advances that glyphs have when the style draws them. If those are
-  /// whole pixels, so is the kerning, rounded towards 0; positions are whole
-  /// pixels in font units, to the nearest.
+  /// whole pixels, so are positions, in font units to the nearest; two digits
+  /// are not kerned; a pixel more or less between two other glyphs of different
+  /// widths now and then keeps the line as long as it is designed.
   TextCursor(const Font& font,
              Text text,
              const Style& style,
@@ -117,6 +118,7 @@ class TextCursor {
   TextReport* report_;
   int32_t advance_ = 0;    // [px with a style, or font units]
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
+  int32_t drift_q6_ = 0;   // of a pen in whole pixels, ahead of the design [px]
 };
 
 /// What of a line stands at its origin.

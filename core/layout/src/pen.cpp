@@ -65,7 +65,9 @@ bool is_gap(uint32_t code_point) noexcept {
 Pen::Pen(const Setting& setting, Order order) noexcept
     : setting_(setting),
       advances_(setting.advances(0)),
-      is_visual_(order == visual) {
+      is_visual_(order == visual),
+      keeps_length_(setting.options.wraps ||
+                    setting.options.ellipsis != Ellipsis::middle) {
   const int32_t px_q6 = options().letter_spacing.raw;
   if (px_q6 != 0) {
     spacing_ = from_px(Q26_6::from_raw(px_q6 < 0 ? -px_q6 : px_q6));
@@ -180,14 +182,20 @@ int32_t Pen::advance(const Glyph& glyph) const noexcept {
 }
 
 // Glyphs of other faces are not kerned. A pair is in the order of the screen.
-int32_t Pen::kerning(const Cell& cell) const noexcept {
+// Where that may differ from the text's order, or the text is cut, each pair
+// stands for itself.
+int32_t Pen::kerning(const Cell& cell) noexcept {
   if (!cell.is_kerned || !previous_.is_found || previous_.face != 0 ||
       cell.face != 0) {
     return 0;
   }
-  return cell.level % 2 == 0 || is_visual_
-             ? advances_.kerning(previous_.id, cell.glyph)
-             : advances_.kerning(cell.glyph, previous_.id);
+  const bool is_rtl = cell.level % 2 != 0;
+  if (is_rtl || !keeps_length_) {
+    drift_q6_ = 0;
+  }
+  const bool is_turned = is_rtl && !is_visual_;
+  return advances_.kerning(is_turned ? cell.glyph : previous_.id,
+                           is_turned ? previous_.id : cell.glyph, drift_q6_);
 }
 
 int32_t Pen::digit_width() noexcept {
@@ -231,7 +239,7 @@ int32_t Pen::next_tab(int32_t step) const noexcept {
 
 void Pen::begin_cell(uint8_t level, Cell& cell) noexcept {
   if (level != previous_level_) {
-    previous_ = {};  // another run
+    begin_run();
     previous_level_ = level;
   }
   cell.level = level;
@@ -245,7 +253,7 @@ void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
   cell.is_base = false;
   cell.is_kerned = false;
   cell.x_end = next_tab(tab_step()) - at_;
-  previous_ = {};
+  begin_run();
   has_begun_ = false;
 }
 

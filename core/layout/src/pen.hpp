@@ -84,7 +84,7 @@ class Pen {
   // The next glyph is not kerned; where text stands to its left, as it does in
   // paragraphs that begin there, it is spaced.
   void begin_sign() noexcept {
-    previous_ = {};
+    begin_run();
     has_begun_ = has_begun_ || has_stops_;
   }
 
@@ -119,6 +119,10 @@ class Pen {
     bool is_found = false;
   };
 
+  void begin_run() noexcept {
+    previous_ = {};
+    drift_q6_ = 0;
+  }
   Glyph find(uint32_t code_point) const noexcept;
   Glyph find_shown(uint32_t code_point,
                    Shown shown,
@@ -126,7 +130,7 @@ class Pen {
   void replace(uint32_t code_point, Glyph& glyph) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
   void look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
-  int32_t kerning(const Cell& cell) const noexcept;
+  int32_t kerning(const Cell& cell) noexcept;
   void place(int32_t kerning, Cell& cell) noexcept;
   int32_t digit_width() noexcept;
   int32_t tab_step() const noexcept;
@@ -142,9 +146,11 @@ class Pen {
   int32_t origin_ = 0;
   int32_t spacing_ = 0;
   int32_t digit_width_ = -1;
+  int32_t drift_q6_ = 0;  // of OutlineFitter
   Glyph previous_;
   uint8_t previous_level_ = 0;
   bool is_visual_;
+  bool keeps_length_;
   bool has_stops_ = true;
   bool has_begun_ = false;
 };

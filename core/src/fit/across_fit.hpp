@@ -1,4 +1,5 @@
-// Fits x: stems to cells of whole pixels, with whole pixels between them.
+// Fits x: stems to cells of whole pixels, with whole pixels between them, and
+// the ink into the advance.
 #pragma once
 
 #include <stdint.h>
@@ -16,16 +17,28 @@ static_assert(kPx - kStemShoulder >= kLeastStroke, "cells are a pixel");
 
 class AcrossFit {
  public:
+  struct Room {
+    int32_t fitted;
+    int32_t designed;
+  };
+
   explicit AcrossFit(const Fit& fit) noexcept : fit_(fit) {}
 
-  // Call after the hints of y were read. Returns the advance.
-  int32_t fit(const GlyphMetrics& metrics, GlyphHints& hints) noexcept;
+  // Call after the hints of y were read. `advance` is whole.
+  void fit(const GlyphMetrics& metrics,
+           int32_t advance,
+           GlyphHints& hints) noexcept;
   void write(AxisMap& map) const noexcept;
+
+  // Free columns beside the ink, and what they are as designed.
+  const Room& left() const noexcept { return left_; }
+  const Room& right() const noexcept { return right_; }
 
  private:
   // A stem, or an end of the ink as a stem without a width.
   struct Stem {
     int32_t gap;    // before the cell
+    int32_t added;  // to the design's
     int32_t cell;   // whole pixels
     int32_t width;  // centred in the cell
     int16_t left_u;
@@ -40,11 +53,19 @@ class AcrossFit {
   int32_t set_gaps() noexcept;
   void make_alike() noexcept;
   int32_t whole_gaps() noexcept;
-  int32_t whole_ink(bool is_symmetric) noexcept;
+  int32_t whole_ink(bool is_symmetric, int32_t most) noexcept;
+  bool narrow_gap(bool is_symmetric, int32_t& total) noexcept;
+  bool narrow_cells(int32_t& total) noexcept;
+  void squeeze(bool is_symmetric, int32_t most, int32_t& total) noexcept;
+
+  // Gaps of serifs are `added` to by this, so that they become narrow first.
+  static constexpr int32_t kSerif = 1 << 12;
 
   bool has_stems() const noexcept { return end_ > stems_ + 2; }
 
   const Fit& fit_;
+  Room left_ = {0, 0};
+  Room right_ = {0, 0};
   // Includes both ends of the ink; none: nothing is fitted.
   Stem* end_ = stems_;
   Stem stems_[GlyphHints::kMostX + 2];
@@ -122,7 +143,9 @@ inline int32_t AcrossFit::whole_gaps() noexcept {
   int32_t least = 0;  // 0 at both ends of the ink, else a pixel
   Stem* const last = end_ - 1;
   for (Stem* stem = stems_ + 1; stem <= last; ++stem) {
+    stem->added = stem->gap;
     stem->gap = max(round_px(stem->gap), stem != last ? least : 0);
+    stem->added = stem->gap - stem->added;
     total += stem->gap + stem->cell;
     least = kPx;
   }
@@ -130,24 +153,112 @@ inline int32_t AcrossFit::whole_gaps() noexcept {
 }
 
 // The width of ink without stems. If the glyph is symmetric and stems are odd,
-// it is odd too, so that its apex is as wide.
-inline int32_t AcrossFit::whole_ink(bool is_symmetric) noexcept {
+// it is odd too, so that its apex is as wide; with greys only if there is room.
+inline int32_t AcrossFit::whole_ink(bool is_symmetric, int32_t most) noexcept {
   const int32_t width = stems_[1].gap;
   int32_t total = whole_width(width);
   const int32_t stem = whole_width(fit_.stem_q6_);
-  if (is_symmetric && total > kPx && ((total ^ stem) & kPx) != 0) {
-    total += width > total ? kPx : -kPx;
-    total = total < 2 * kPx && width > 100 ? 3 * kPx : total;
+  int32_t step = kPx;
+  if (is_symmetric && total > kPx) {
+    step = fit_.levels_ == 2 ? 2 * kPx : kPx;
+    if (((total ^ stem) & kPx) != 0) {
+      total += width > total ? kPx : -kPx;
+      total = total < 2 * kPx && width > 100 ? 3 * kPx : total;
+    }
+  }
+  while (total > max(most, step)) {
+    total -= step;
   }
   stems_[1].gap = total;
   return total;
 }
 
-inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
-                              GlyphHints& hints) noexcept {
+// Takes a pixel from the gap that gained most, and from those like it. False:
+// all are narrow.
+inline bool AcrossFit::narrow_gap(bool is_symmetric, int32_t& total) noexcept {
+  Stem* const last = end_ - 1;
+  const auto is_end = [&](const Stem* stem) noexcept {
+    return stem == stems_ + 1 || stem == last;
+  };
+  const Stem* most = nullptr;
+  for (const Stem* stem = stems_ + 1; stem <= last; ++stem) {
+    if (stem->gap > (is_end(stem) ? 0 : kPx) &&
+        (most == nullptr || stem->added > most->added)) {
+      most = stem;
+    }
+  }
+  if (most == nullptr) {
+    return false;
+  }
+  const bool is_outer = is_end(most);
+  const int32_t gap = most->gap;
+  for (Stem* stem = stems_ + 1; stem <= last; ++stem) {
+    if (stem == most ||
+        (stem->gap == gap && is_end(stem) == is_outer &&
+         (is_symmetric || !is_outer || stem->added > kSerif / 2))) {
+      stem->gap -= kPx;
+      stem->added -= kPx;
+      total -= kPx;
+    }
+  }
+  return true;
+}
+
+// Takes a pixel from the widest stems. False: all are a pixel.
+inline bool AcrossFit::narrow_cells(int32_t& total) noexcept {
+  int32_t most = kPx;
+  for (const Stem* stem = stems_; stem != end_; ++stem) {
+    most = max(most, stem->cell);
+  }
+  for (Stem* stem = stems_; most != kPx && stem != end_; ++stem) {
+    if (stem->cell == most) {
+      stem->cell -= kPx;
+      stem->width = min(stem->width, stem->cell + kStemShoulder);
+      if (fit_.levels_ == 2) {
+        stem->width = stem->cell;
+      }
+      total -= kPx;
+    }
+  }
+  return most != kPx;
+}
+
+// Makes the ink no wider than `most`.
+inline void AcrossFit::squeeze(bool is_symmetric,
+                               int32_t most,
+                               int32_t& total) noexcept {
+  while (total > most) {
+    if (!narrow_gap(is_symmetric, total) && !narrow_cells(total)) {
+      break;
+    }
+  }
+  // Too many stems for whole pixels.
+  if (total > most) {
+    const auto part = [&](int32_t length) noexcept {
+      return length * max(most, 0) / total;
+    };
+    for (Stem* stem = stems_ + 1; stem != end_; ++stem) {
+      stem->gap = part(stem->gap);
+      stem->cell = part(stem->cell);
+      stem->width = part(stem->width);
+    }
+    total = max(most, 0);
+  }
+}
+
+// What is free beside a glyph at least: of an overhang half a pixel less, in
+// whole pixels.
+inline int32_t least_room(int32_t room, int32_t least) noexcept {
+  constexpr int32_t kHalf = kPx / 2;
+  return room > -kHalf ? least : -((-room - kHalf) & ~(kPx - 1));
+}
+
+inline void AcrossFit::fit(const GlyphMetrics& metrics,
+                           int32_t whole,
+                           GlyphHints& hints) noexcept {
   const int32_t advance = fit_.px_q6(fit_.u_of(metrics.advance));
   if (metrics.x_max <= metrics.x_min || metrics.advance == 0) {
-    return round_px(advance);
+    return;
   }
   int32_t left_u = fit_.u_of(metrics.x_min);
   int32_t right_u = fit_.u_of(metrics.x_max);
@@ -161,26 +272,30 @@ inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
   read(hints);
   add(right_u, right_u, 0, 0);
   const bool is_stemless = !has_stems();
-  const int32_t right = advance - set_gaps();
-  const int32_t total =
-      is_stemless ? whole_ink(hints.is_symmetric()) : whole_gaps();
-  const int32_t left = stems_[0].gap;
+  right_.designed = advance - set_gaps();
+  left_.designed = stems_[0].gap;
   // The left column is free in all glyphs but those that overhang.
-  const int32_t overhang = -fit_.px_q6(10);
-  int32_t first = round_px(left);
-  if (left > overhang) {
-    first = max(kPx, first);
+  const int32_t before = least_room(left_.designed, kPx);
+  const int32_t most = whole - before - least_room(right_.designed, 0);
+  const bool is_symmetric = hints.is_symmetric();
+  int32_t total = 0;
+  if (is_stemless) {
+    total = whole_ink(is_symmetric, most);
+  } else {
+    total = whole_gaps();
+    if (!fit_.drops_serifs_) {
+      stems_[1].added += left_inset_u != 0 ? kSerif : 0;
+      end_[-1].added += right_inset_u != 0 ? kSerif : 0;
+    }
+    squeeze(is_symmetric, most, total);
   }
-  stems_[0].gap = first;
-  int32_t after = right;
-  if (right > 0) {
-    after -= max(0, first - left) >> 1;
-  }
-  after = round_px(after);
-  if (left > overhang && right > overhang) {
-    after = max(after, 0);
-  }
-  return max(first + total + after, 0);
+  // The middle of the ink stays where it is, as far as there is room.
+  const int32_t free = whole - total;
+  const int32_t middle =
+      round_px((free + left_.designed - right_.designed) >> 1);
+  left_.fitted = max(min(middle, before + most - total), before);
+  right_.fitted = free - left_.fitted;
+  stems_[0].gap = left_.fitted;
 }
 
 inline void AcrossFit::write(AxisMap& map) const noexcept {

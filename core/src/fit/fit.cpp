@@ -25,9 +25,12 @@ constexpr int32_t kLeastHeight = 96;
 // Round edges overshoot their zone from this height on.
 constexpr int32_t kLeastOvershoot = 38;
 // From this size on serifs are whole pixels, below it they are dropped.
-constexpr int32_t kSerifsFrom = 12 << 6;
+constexpr int32_t kSerifsFrom = 16 << 6;
 // Bends with moved control points are made fuller by this. [px, Q10]
 constexpr int32_t kFuller = 30;
+// Fractions of advances up to 9/16 px are rounded down: spaces can become wider
+// by any length.
+constexpr int32_t kRoundDown = kPx * 7 / 16;
 
 }  // namespace
 
@@ -160,10 +163,19 @@ class GridFit {
   }
   static bool has_none(const Style&) noexcept { return false; }
 
+  // Glyphs that are equally wide as designed stay so.
   static int32_t advance_px(const Font& font,
                             const Style& style,
                             uint16_t glyph) noexcept {
-    return advance(fit_of(style), font, glyph);
+    return whole_advance(font, fit_of(style).size_q6_, font.advance(glyph)) >>
+           6;
+  }
+
+  static FitGap gap(const Font& font,
+                    const Style& style,
+                    uint16_t left,
+                    uint16_t right) noexcept {
+    return gap_between(fit_of(style), font, left, right);
   }
 
   // The same for displays of few levels.
@@ -185,15 +197,20 @@ class GridFit {
     return style.size().raw < Fit::kEnds.raw;
   }
 
-  template <uint8_t kLevels>
   static int32_t level_advance_px(const Font& font,
                                   const Style& style,
                                   uint16_t glyph) noexcept {
+    return whole_advance(font, style.size().raw, font.advance(glyph)) >> 6;
+  }
+
+  template <uint8_t kLevels>
+  static FitGap level_gap(const Font& font,
+                          const Style& style,
+                          uint16_t left,
+                          uint16_t right) noexcept {
     Fit fit;
     set(font, style, kLevels, fit);
-    return fit.is_across_
-               ? advance(fit, font, glyph)
-               : round_px(fit.px_q6(fit.u_of(font.advance(glyph)))) >> 6;
+    return gap_between(fit, font, left, right);
   }
 
  private:
@@ -223,24 +240,44 @@ class GridFit {
     fit_heights(fit, hints, origin, warp);
     if (fit.is_across_) {
       fit.to_grid(origin.x_q10);
-      static_cast<void>(fit_across(fit, metrics, hints, &warp.x));
+      fit_across(fit, metrics, hints,
+                 whole_advance(font, fit.size_q6_, metrics.advance), warp.x);
     }
   }
 
-  static int32_t advance(const Fit& fit,
-                         const Font& font,
-                         uint16_t glyph) noexcept {
-    uint32_t id = glyph;
-    const Font* const page = font.page_of(id);
-    if (page == nullptr) {
-      return 0;
+  // To the nearest pixel. [px, Q6]
+  static int32_t whole_advance(const Font& font,
+                               int32_t size_q6,
+                               int32_t units) noexcept {
+    const int32_t em = font.units_per_em();
+    return detail::quotient(units * size_q6 + em * kRoundDown, em * 64) << 6;
+  }
+
+  __attribute__((noinline)) static FitGap gap_between(const Fit& fit,
+                                                      const Font& font,
+                                                      uint16_t left,
+                                                      uint16_t right) noexcept {
+    FitGap sum = {0, 0};
+    for (uint32_t i = 0; i != 2; ++i) {
+      uint32_t id = i == 0 ? left : right;
+      const Font* const page = font.page_of(id);
+      if (page == nullptr) {
+        continue;
+      }
+      const auto own = static_cast<uint16_t>(id);
+      const GlyphMetrics metrics = Fit::metrics_of(*page, own);
+      GlyphHints hints(fit.hints_, page->record(own));
+      for (uint32_t j = hints.y_count(); j != 0; --j) {
+        static_cast<void>(hints.next_y());
+      }
+      detail::AcrossFit across(fit);
+      across.fit(metrics, whole_advance(font, fit.size_q6_, metrics.advance),
+                 hints);
+      const auto& room = i == 0 ? across.right() : across.left();
+      sum.fitted_q6 += room.fitted;
+      sum.designed_q6 += room.designed;
     }
-    const auto own = static_cast<uint16_t>(id);
-    GlyphHints hints(fit.hints_, page->record(own));
-    for (uint32_t i = hints.y_count(); i != 0; --i) {
-      static_cast<void>(hints.next_y());
-    }
-    return fit_across(fit, Fit::metrics_of(*page, own), hints, nullptr) >> 6;
+    return sum;
   }
 
   // Separate frames, so that their stacks do not add up.
@@ -260,27 +297,25 @@ class GridFit {
     heights.write(warp.y);
   }
 
-  // `map` is null if only the advance is needed, which it returns.
-  __attribute__((noinline)) static int32_t fit_across(
-      const Fit& fit,
-      const GlyphMetrics& metrics,
-      GlyphHints& hints,
-      AxisMap* map) noexcept {
+  __attribute__((noinline)) static void fit_across(const Fit& fit,
+                                                   const GlyphMetrics& metrics,
+                                                   GlyphHints& hints,
+                                                   int32_t advance,
+                                                   AxisMap& map) noexcept {
     detail::AcrossFit across(fit);
-    const int32_t advance = across.fit(metrics, hints);
-    if (map != nullptr) {
-      across.write(*map);
-    }
-    return advance;
+    across.fit(metrics, advance, hints);
+    across.write(map);
   }
 };
 
 const Fitter kGridFit = {GridFit::fit, GridFit::has_advances,
-                         GridFit::advance_px};
-const Fitter kFitHeights = {GridFit::heights, GridFit::has_none, nullptr};
+                         GridFit::advance_px, GridFit::gap};
+const Fitter kFitHeights = {GridFit::heights, GridFit::has_none, nullptr,
+                            nullptr};
 const Fitter kFitTwoLevels = {GridFit::fit_levels<2>, GridFit::is_small,
-                              GridFit::level_advance_px<2>};
+                              GridFit::level_advance_px, GridFit::level_gap<2>};
 const Fitter kFitFourLevels = {GridFit::fit_levels<4>, GridFit::is_small,
-                               GridFit::level_advance_px<4>};
+                               GridFit::level_advance_px,
+                               GridFit::level_gap<4>};
 
 }  // namespace inkcell

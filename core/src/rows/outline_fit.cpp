@@ -82,10 +82,88 @@ void move_points(const OutlineJob& job,
   }
 }
 
+// A pen that is ahead or behind by more is corrected beside blanks, and within
+// words by more than the second. [px, Q6]
+constexpr int32_t kMostDrift = 32;
+constexpr int32_t kMostInWord = 96;
+constexpr int32_t kFarthest = 1 << 20;
+
+bool is_blank(const Font& font, uint16_t glyph) noexcept {
+  GlyphMetrics metrics;
+  return font.glyph_metrics(glyph, metrics) == Status::ok &&
+         metrics.x_max <= metrics.x_min;
+}
+
 // Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
-// others wrap.
-int32_t to_px(const Font& font, Q26_6 size, int32_t units) noexcept {
-  return quotient(product(units, size.raw), font.units_per_em() * 64);
+// others wrap. [px, Q6]
+int32_t to_px(const Font& font, const Style& style, int32_t units) noexcept {
+  return quotient(product(units, style.size().raw), font.units_per_em());
+}
+
+// How many of a pair are digits, whose ids follow each other as their code
+// points do. Those stand in columns.
+uint32_t count_digits(const Font& font, const GlyphPair& pair) noexcept {
+  uint16_t zero = 0;
+  if (font.glyph_of('0', zero) != Status::ok) {
+    return 0;
+  }
+  const auto is_digit = [zero](uint32_t glyph) noexcept {
+    return glyph - zero < 10 ? 1u : 0u;
+  };
+  return is_digit(pair.left) + is_digit(pair.right);
+}
+
+// How much closer two glyphs may come until less than a pixel is between them;
+// those that reach over each other come no closer than designed. [px]
+int32_t room_to_kern(const Font& font,
+                     const Style& style,
+                     const GlyphPair& pair,
+                     int32_t kerning_q6) noexcept {
+  const FitGap gap = style.fitter()->gap(font, style, pair.left, pair.right);
+  const int32_t designed = gap.designed_q6 + kerning_q6;
+  return (gap.fitted_q6 - (designed > -32 ? 64 : -(-designed & ~63))) >> 6;
+}
+
+int32_t join(const Font& font,
+             const Style& style,
+             const Fitter& fitter,
+             const GlyphPair& pair,
+             int32_t& drift_q6) noexcept {
+  const int32_t kerning_q6 = pair.kerning == 0 || count_digits(font, pair) == 2
+                                 ? 0
+                                 : to_px(font, style, pair.kerning);
+  int32_t px = quotient(kerning_q6, 64);
+  if (px < 0) {
+    px = min(max(px, -room_to_kern(font, style, pair, kerning_q6)), 0);
+  }
+  const int32_t advance = font.advance(pair.left);
+  const int32_t advance_px = fitter.advance_px(font, style, pair.left);
+  const int32_t drift = drift_q6 - kerning_q6 + (px + advance_px) * 64 -
+                        to_px(font, style, advance);
+  // Glyphs of one width stand in columns.
+  int32_t more = 0;
+  if (abs(drift) > kMostDrift &&
+      abs(advance - font.advance(pair.right)) * 32 >= advance) {
+    // A blank gives a pixel in front from 3 px on, another one behind from 8.
+    int32_t blank_px = 0;
+    bool has_blank = is_blank(font, pair.left);
+    if (has_blank) {
+      blank_px = advance_px - 7;
+    } else if (is_blank(font, pair.right)) {
+      has_blank = true;
+      blank_px = fitter.advance_px(font, style, pair.right) - 2;
+    }
+    const bool is_far = !has_blank && abs(drift) > kMostInWord;
+    if (drift < 0) {
+      more = has_blank || is_far ? 1 : 0;
+    } else if (blank_px > 0 ||
+               (is_far && count_digits(font, pair) == 0 &&
+                room_to_kern(font, style, pair, kerning_q6) > -px)) {
+      more = -1;
+    }
+  }
+  drift_q6 = min(max(drift + more * 64, -kFarthest), kFarthest);
+  return px + more;
 }
 
 int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
@@ -100,8 +178,7 @@ int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
 
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {fit_outline, move_points, to_px,
-                                      to_units};
+const OutlineFitter kOutlineFitter = {fit_outline, move_points, join, to_units};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -6,6 +6,13 @@
 namespace inkcell {
 namespace detail {
 
+// Neighbours, from the left.
+struct GlyphPair {
+  uint16_t left;
+  uint16_t right;
+  int32_t kerning;  // [font units]
+};
+
 // What only fitted styles link.
 struct OutlineFitter {
   // Makes the maps, and moves the glyph and its ink. False: it is too far away.
@@ -18,9 +25,15 @@ struct OutlineFitter {
   void (*move)(const OutlineJob& job,
                ScreenPoint* points,
                const ScreenPoint* end) noexcept;
-  // Advances in whole pixels: font units, rounded towards 0, and back, to the
-  // nearest.
-  int32_t (*to_px)(const Font& font, Q26_6 size, int32_t units) noexcept;
+  // Whole pixels between the advance of a glyph and the next one: the kerning,
+  // and what brings the pen nearer to where it is as designed. `drift_q6` is
+  // how far it is ahead at the left glyph, and then at the right one.
+  int32_t (*join)(const Font& font,
+                  const Style& style,
+                  const Fitter& fitter,
+                  const GlyphPair& pair,
+                  int32_t& drift_q6) noexcept;
+  // To font units, to the nearest.
   int32_t (*to_units)(const Font& font, Q26_6 size, int32_t px) noexcept;
 };
 

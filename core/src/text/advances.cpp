@@ -1,8 +1,5 @@
 #include "text/advances.hpp"
 
-#include "place/style_parts.hpp"
-#include "rows/outline_fit.hpp"
-
 namespace inkcell {
 namespace detail {
 
@@ -11,8 +8,9 @@ int32_t Advances::advance(uint16_t glyph) const noexcept {
                     : font_.advance(glyph);
 }
 
-int32_t Advances::to_whole_px(int32_t units) const noexcept {
-  return fitter_->outlines->to_px(font_, style_->size(), units);
+int32_t Advances::join(const GlyphPair& pair,
+                       int32_t& drift_q6) const noexcept {
+  return fitter_->outlines->join(font_, *style_, *fitter_, pair, drift_q6);
 }
 
 int32_t Advances::to_units(int32_t sum) const noexcept {

@@ -6,6 +6,7 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/style.hpp"
+#include "rows/outline_fit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -35,19 +36,22 @@ class Advances {
   int32_t limit() const noexcept { return is_whole() ? kMaxPx : kMaxUnits; }
 
   int32_t advance(uint16_t glyph) const noexcept;
-  // Whole pixels are rounded towards 0. Inline: one frame less on the deepest
-  // stack of layout.
-  int32_t kerning(uint16_t left, uint16_t right) const noexcept {
+  // Between two glyphs. `drift_q6`: of OutlineFitter, 0 where a run begins.
+  // Inline: one frame less on the deepest stack of layout.
+  int32_t kerning(uint16_t left,
+                  uint16_t right,
+                  int32_t& drift_q6) const noexcept {
     const int32_t units = font_.kerning(left, right);
-    return is_whole() && units != 0 ? to_whole_px(units) : units;
+    return is_whole() ? join({left, right, units}, drift_q6) : units;
   }
+
+  // Whole pixels between two glyphs.
+  int32_t join(const GlyphPair& pair, int32_t& drift_q6) const noexcept;
 
   // A sum of them in font units, to the nearest. At most limit() in magnitude.
   int32_t to_units(int32_t sum) const noexcept;
 
  private:
-  int32_t to_whole_px(int32_t units) const noexcept;
-
   const Font& font_;
   const Style* style_;  // may be null where there is no fitter
   const Fitter* fitter_;

@@ -40,7 +40,8 @@ class RunCursor {
     if (style_ == nullptr) {
       return units;
     }
-    return advances().to_units(next_letter_px(units));
+    RunCursor end = *this;
+    return advances().to_units(end.next_letter_px(units, letter_));
   }
 
  private:
@@ -50,9 +51,9 @@ class RunCursor {
     const int32_t gap = x_ - letter_x_;
     if (has_letter_ && 2 * gap < font_->advance(letter_)) {
       return advances.to_units(
-          clamp_to(letter_px_ + to_px(gap, kHalf_q10), detail::kMaxPx));
+          clamp_to(letter_px_ + to_px(gap), detail::kMaxPx));
     }
-    letter_px_ = next_letter_px(x_);
+    letter_px_ = next_letter_px(x_, glyph);
     letter_x_ = x_;
     letter_ = glyph;
     has_letter_ = true;
@@ -64,31 +65,32 @@ class RunCursor {
   }
 
   // Where a letter at `x` stands.
-  int32_t next_letter_px(int32_t x) const noexcept {
+  int32_t next_letter_px(int32_t x, uint16_t letter) noexcept {
     int32_t px = letter_px_;
     int32_t gap = clamp_to(x, kMaxUnits) - letter_x_;
     if (has_letter_) {
-      px += advances().advance(letter_);
+      const Advances advances = this->advances();
       gap -= font_->advance(letter_);
+      px += advances.advance(letter_) +
+            advances.join({letter_, letter, gap}, drift_q6_);
+    } else {
+      px += to_px(gap);
     }
-    px += to_px(gap, gap < 0 ? kWhole_q10 : kHalf_q10);
     return clamp_to(px, detail::kMaxPx);
   }
 
-  // Whole pixels below, after something was added.
-  int32_t to_px(int32_t units, int32_t more_q10) const noexcept {
+  // To the nearest.
+  int32_t to_px(int32_t units) const noexcept {
     const int64_t px_q10 = detail::UnitScale(*font_, *style_).to_px_q10(units);
-    return static_cast<int32_t>((px_q10 + more_q10) >> 10);
+    return static_cast<int32_t>((px_q10 + 512) >> 10);
   }
-
-  static constexpr int32_t kHalf_q10 = 512;
-  static constexpr int32_t kWhole_q10 = 1023;
 
   const Font* font_ = nullptr;
   const Style* style_ = nullptr;  // null: as designed
   int32_t x_ = 0;                 // of the glyph, as designed
   int32_t letter_x_ = 0;          // of the last one that is no mark
   int32_t letter_px_ = 0;
+  int32_t drift_q6_ = 0;  // of OutlineFitter
   uint16_t letter_ = 0;
   bool has_letter_ = false;
 };

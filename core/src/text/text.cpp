@@ -129,9 +129,9 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
     const uint16_t glyph = out.glyph;
     const Advances advances(font_, style_, fitter_);
     const int32_t kerning =
-        previous_ >= 0
-            ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
-            : 0;
+        previous_ >= 0 ? advances.kerning(static_cast<uint16_t>(previous_),
+                                          glyph, drift_q6_)
+                       : 0;
     const int32_t limit = advances.limit();
     const int32_t at = clamp(advance_ + kerning, -limit, limit);
     // Positions are sums of advances, each converted by itself: nothing
