@@ -5,6 +5,7 @@
 
 #include "inkcell/few_levels.hpp"
 #include "inkcell/fit.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/text.hpp"
 #include "pipeline/generate.hpp"
 
@@ -25,10 +26,9 @@ Font fast_font(const char* file, RomFont& made) {
 }
 
 int width_px(const Font& font, const Style& style, const std::string& line) {
-  return to_px(font, style,
-               measure(font, Text(line.data(), line.size()), style).advance)
-             .raw /
-         64;
+  return Painter()
+      .measure(font, style, Text(line.data(), line.size()))
+      .advance.floor();
 }
 
 TEST(Spacing, FacesOfFixedPitchHaveOneAdvance) {

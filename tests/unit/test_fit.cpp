@@ -360,7 +360,7 @@ TEST(lines_keep_their_length_and_columns) {
                             four_level_style(Q26_6::from_int(px))};
     for (const Style& style : styles) {
       const auto width_px = [&](Text text) {
-        return to_px(font, style, measure(font, text, style).advance).raw / 64;
+        return Painter().measure(font, style, text).advance.raw / 64;
       };
       constexpr char kLine[] = "DCDECADECDABEDDCDECBADECDCDE";
       const int32_t designed =
