@@ -37,7 +37,7 @@ cmake --preset demo-host -DINKCELL_DEMO_FONT="$font" >"$out/build.log" 2>&1 &&
 tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
-echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
+echo "Making fonts of $(basename "$font"), and comparing with exact areas and distances"
 for coding in outline field; do
   "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
     --report "$out/$coding.json" >>"$out/sizes.txt"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "areas.hpp"
 #include "canvas.hpp"
 
 namespace inkcell::tools {
@@ -143,6 +144,36 @@ std::vector<double> true_distances(TrueTiles& truth, const Setting& setting) {
   return distances;
 }
 
+// Exact areas of all pixels, 0..1.
+std::vector<double> true_areas(const TrueGlyph& truth, const Setting& setting) {
+  const double scale = setting.px / 1024;
+  const auto on_canvas = [&](Vector p) {
+    return Vector{scale * (p.x * setting.cosine - p.y * setting.sine) +
+                      setting.offset_x() - setting.x0,
+                  -scale * (p.x * setting.sine + p.y * setting.cosine) +
+                      setting.offset_y() - setting.y0};
+  };
+  std::vector<TrueGlyph::Chord> border;
+  for (const TrueGlyph::Chord& piece : truth.border()) {
+    border.push_back({on_canvas(piece.a), on_canvas(piece.b)});
+  }
+  return pixel_areas(border, setting.width, setting.height);
+}
+
+// What a filter makes of all pixels. [1/255]
+std::vector<double> true_coverage(const ExactFilter& filter,
+                                  const TrueGlyph& truth,
+                                  TrueTiles& tiles,
+                                  const Setting& setting) {
+  std::vector<double> coverage = filter.is_area()
+                                     ? true_areas(truth, setting)
+                                     : true_distances(tiles, setting);
+  for (double& pixel : coverage) {
+    pixel = filter.is_area() ? 255 * pixel : filter.coverage(pixel);
+  }
+  return coverage;
+}
+
 Image draw(const Font& font,
            uint16_t glyph,
            const Setting& setting,
@@ -158,18 +189,16 @@ Image draw(const Font& font,
 }
 
 void compare(const Image& drawn,
-             const std::vector<double>& distances,
+             const std::vector<double>& exact,
              const Setting& setting,
-             const ExactFilter& filter,
              char32_t code_point,
              bool inked,
              GlyphErrors& errors) {
   size_t i = 0;
   for (int y = 0; y < setting.height; ++y) {
     for (int x = 0; x < setting.width; ++x) {
-      const ErrorPlace place = {code_point,      setting.offset,
-                                x + setting.x0,  y + setting.y0,
-                                *drawn.at(x, y), filter.coverage(distances[i])};
+      const ErrorPlace place = {code_point,     setting.offset,  x + setting.x0,
+                                y + setting.y0, *drawn.at(x, y), exact[i]};
       errors.add(place, inked && in_box(setting.box, centre(setting, x, y)));
       ++i;
     }
@@ -187,6 +216,10 @@ double ExactFilter::coverage(double distance_px) const {
 }
 
 ExactFilter exact_filter(std::string_view name) {
+  static constexpr NamedFilter kArea = {"area", &kFilterArea};
+  if (name == kArea.name) {
+    return {&kArea};
+  }
   static_cast<void>(filter_of(name));  // throws if unknown
   for (const NamedFilter& device : kFilters) {
     if (device.name != name) {
@@ -217,13 +250,13 @@ std::vector<GlyphErrors> compare_glyph(const Subject& subject,
          offsets_of(request, subject.code_point, request.sizes[s])) {
       const Setting setting =
           make_setting(truth, request.sizes[s], request.angle, offset);
-      const std::vector<double> distances = true_distances(tiles, setting);
       for (size_t f = 0; f < request.filters.size(); ++f) {
         const ExactFilter& filter = request.filters[f];
         const Style style =
             make_style(setting.px, request.angle, *filter.device->filter);
-        compare(draw(subject.font, subject.glyph, setting, style), distances,
-                setting, filter, subject.code_point, !truth.empty(),
+        compare(draw(subject.font, subject.glyph, setting, style),
+                true_coverage(filter, truth, tiles, setting), setting,
+                subject.code_point, !truth.empty(),
                 errors[s * request.filters.size() + f]);
       }
     }
@@ -243,9 +276,7 @@ Picture draw_picture(const Subject& subject,
   picture.y0 = setting.y0;
   picture.drawn = draw(subject.font, subject.glyph, setting, style);
   TrueTiles tiles = tiles_for(subject.truth, px);
-  for (const double distance : true_distances(tiles, setting)) {
-    picture.exact.push_back(filter.coverage(distance));
-  }
+  picture.exact = true_coverage(filter, subject.truth, tiles, setting);
   return picture;
 }
 

@@ -13,18 +13,20 @@
 
 namespace inkcell::tools {
 
-/// A filter as documented, in real numbers.
+/// A filter as documented, in real numbers. kFilterArea has no distances.
 struct ExactFilter {
   const NamedFilter* device = nullptr;
   double outside_px = 0;
   double inside_px = 0;
   double exponent = 1;
 
+  bool is_area() const { return device->filter == &kFilterArea; }
+
   /// 0..255, not rounded.
   double coverage(double distance_px) const;
 };
 
-/// Throws std::runtime_error if there is no filter of this name.
+/// Of a preset, or "area". Throws std::runtime_error for other names.
 ExactFilter exact_filter(std::string_view name);
 
 inline constexpr int kMaxPhases = 8;

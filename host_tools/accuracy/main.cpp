@@ -1,7 +1,9 @@
-// inkcell-accuracy: the error of the device's pixels against exact distances.
+// inkcell-accuracy: the error of the device's pixels against exact areas and
+// distances.
 //
-// The device's core draws a ROM font. The truth is a brute-force distance to
-// the outlines of the font file, computed independently of the generator.
+// The device's core draws a ROM font. The truth is the area of each pixel and a
+// brute-force distance to the outlines of the font file, computed independently
+// of the generator.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +31,7 @@ struct Arguments {
   int face = 0;
   std::vector<std::string> axes;
   std::vector<std::string> sizes = {"12", "16", "24", "32", "48", "64"};
-  std::vector<std::string> filters = {"text"};
+  std::vector<std::string> filters;
   int phases = kMaxPhases;
   int positions = 0;
   uint32_t seed = 1;
@@ -63,10 +65,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->delimiter(',')
       ->type_name("LIST")
       ->default_str("12,16,24,32,48,64");
-  app.add_option("--filter", arguments.filters, "Filters, by name, or all")
+  app.add_option("--filter", arguments.filters,
+                 "Filters, by name, or all [area,text; of a field text]")
       ->delimiter(',')
-      ->type_name("NAME")
-      ->default_str("text");
+      ->type_name("NAME");
   app.add_option("--phases", arguments.phases, "Fixed sub-pixel positions")
       ->check(CLI::Range(1, kMaxPhases))
       ->capture_default_str();
@@ -87,8 +89,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("STRING");
   app.add_flag("--no-check", arguments.no_check,
                "Exit with 0 even if a limit is missed: the font's tolerance "
-               "at whole sizes of its range with the filter text, and those "
-               "that follow");
+               "at whole sizes of its range with the filter area, of a field "
+               "text, and those that follow");
   app.add_option("--mean-limit", arguments.mean_limit,
                  "Exit with 2 if the mean is larger there [1/255; none]")
       ->check(CLI::Range(0.0, 255.0));
@@ -107,13 +109,31 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
 }
 
-ComparisonRequest make_request(const Arguments& arguments) {
+// Fields have distances only.
+bool has_areas(const Font& font) {
+  return coding_name(font) == "outline";
+}
+
+// The filter that the font's tolerance is about.
+std::string_view promised_filter(const Font& font) {
+  return has_areas(font) ? "area" : "text";
+}
+
+ComparisonRequest make_request(const Font& font, const Arguments& arguments) {
   ComparisonRequest request;
   request.sizes = read_sizes(arguments.sizes);
-  for (const std::string& name : arguments.filters) {
+  std::vector<std::string> names = arguments.filters;
+  if (names.empty()) {
+    names = has_areas(font) ? std::vector<std::string>{"area", "text"}
+                            : std::vector<std::string>{"text"};
+  }
+  for (const std::string& name : names) {
     if (name != "all") {
       request.filters.push_back(exact_filter(name));
       continue;
+    }
+    if (has_areas(font)) {
+      request.filters.push_back(exact_filter("area"));
     }
     for (const NamedFilter& filter : kFilters) {
       request.filters.push_back(exact_filter(filter.name));
@@ -152,7 +172,7 @@ ErrorTable compare_all(const Font& font,
                        const TrueFont& truth,
                        const Arguments& arguments) {
   ErrorTable table;
-  table.request = make_request(arguments);
+  table.request = make_request(font, arguments);
   table.characters = choose_characters(font, arguments.symbols);
   const size_t count = table.characters.size();
   table.errors.resize(count);
@@ -207,7 +227,7 @@ void write_picture(const Arguments& arguments,
   write_image(arguments.picture, draw_exhibits(font, exhibits));
 }
 
-// Whether the filter `text` keeps the limits at integer sizes in the font's
+// Whether the promised filter keeps the limits at integer sizes in the font's
 // range; prints where it does not.
 bool check(const Font& font, const ErrorTable& table, double mean_limit) {
   const FontRange range = font.range();
@@ -216,9 +236,9 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
   for (size_t f = 0; f < request.filters.size(); ++f) {
     for (size_t s = 0; s < request.sizes.size(); ++s) {
       const double px = request.sizes[s];
-      const bool promised = request.filters[f].device->name == "text" &&
-                            px == std::floor(px) && px >= range.min_px &&
-                            px <= range.max_px;
+      const bool promised =
+          request.filters[f].device->name == promised_filter(font) &&
+          px == std::floor(px) && px >= range.min_px && px <= range.max_px;
       if (!promised) {
         continue;
       }
@@ -279,8 +299,8 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Errors of pixels drawn by the device's core, in 1/255, against the "
-      "exact distance field.\nworst: over all pixels; mean: over the glyph's "
+      "Errors of pixels drawn by the device's core, in 1/255, against exact "
+      "areas and distances.\nworst: over all pixels; mean: over the glyph's "
       "box and 1.5 px around it, then over the glyphs;\nlargest mean: of a "
       "single glyph, which is named.\nExits with 2 if a limit is missed.");
   inkcell::tools::Arguments arguments;

@@ -44,6 +44,9 @@ class TrueGlyph {
   Vector low() const { return low_; }  // corners of the ink box
   Vector high() const { return high_; }
 
+  /// The border in pieces, the area to the left of each. [u]
+  const std::vector<Chord>& border() const { return pieces_; }
+
   /// Distance to the border, positive inside, clamped to +-`limit`. [u]
   double distance(Vector p, double limit) const;
 

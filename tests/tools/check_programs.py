@@ -980,6 +980,15 @@ class Tools(unittest.TestCase):
         # Nothing is promised to other filters and sizes.
         run("accuracy", *wrong, "--filter", "motion")
         run("accuracy", *wrong[:4], "--sizes", "23.5,33")
+        # Outlines promise areas, and have distances beside them.
+        table = self.path / "table.json"
+        outline = ("--font", self.fonts["outline"], "--sizes", "24", "--truth")
+        run("accuracy", *outline, SANS, "--report", table)
+        self.assertEqual([row["filter"] for row in
+                          json.loads(table.read_text())["rows"]],
+                         ["area"] * 2 + ["text"] * 2)
+        self.assertIn("beyond", run("accuracy", *outline, SERIF, code=2))
+        run("accuracy", *outline, SERIF, "--filter", "text")
 
     def test_accuracy_lists_what_was_asked_for(self):
         table, picture = self.path / "table.json", self.path / "worst.png"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "areas.hpp"
 #include "sfnt_builder.hpp"
 #include "truth.hpp"
 
@@ -237,6 +238,23 @@ TEST(TrueFont, FindsTheCharactersOfSymbolFonts) {
     const Vector same = TrueFont(symbol, 0, {}).glyph(c).high();
     EXPECT_EQ(same.x, high.x);
     EXPECT_EQ(same.y, high.y);
+  }
+}
+
+// y down: the area lies to the right of what goes up.
+TEST(PixelAreas, AreThoseOfPolygons) {
+  const std::vector<Chord> box = {{{0.5, 1.25}, {0.5, 2}},
+                                  {{0.5, 2}, {2.25, 2}},
+                                  {{2.25, 2}, {2.25, 1.25}},
+                                  {{2.25, 1.25}, {0.5, 1.25}}};
+  EXPECT_EQ(pixel_areas(box, 3, 3),
+            (std::vector<double>{0, 0, 0, 0.375, 0.75, 0.1875, 0, 0, 0}));
+  const std::vector<Chord> triangle = {
+      {{0, 0}, {0, 2}}, {{0, 2}, {4, 0}}, {{4, 0}, {0, 0}}};
+  const std::vector<double> areas = pixel_areas(triangle, 4, 2);
+  const double known[] = {1, 1, 0.75, 0.25, 0.75, 0.25, 0, 0};
+  for (size_t i = 0; i < areas.size(); ++i) {
+    EXPECT_NEAR(areas[i], known[i], 1e-12) << i;
   }
 }
 
