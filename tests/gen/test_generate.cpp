@@ -242,6 +242,50 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
   }
 }
 
+// Of outlines the promise is that of areas, at any position: not less than what
+// the loop sees. What it sees by distance stands beside it.
+TEST(Generate, ReportsAreasAndDistances) {
+  GenerateRequest request = dejavu();
+  request.symbols = "ag&";
+  request.target.coding = Coding::outline;
+  request.target.max_px = 64;
+  const RomFont rom = generate(request);
+  const auto json = nlohmann::json::parse(report_as_json(rom.report));
+  const double promised = json.at("error").at("max").get<double>();
+  EXPECT_LE(promised, 16);
+  EXPECT_TRUE(rom.warnings.empty());
+  double worst = 0;
+  for (const auto& size : json.at("error_by_size")) {
+    worst = std::max(worst, size.at("worst").get<double>());
+  }
+  EXPECT_GT(worst, 2);
+  EXPECT_LE(worst, promised);
+  EXPECT_GT(json.at("distance_error").at("max").get<double>(), worst / 2);
+  EXPECT_LE(json.at("distance_error").at("max").get<double>(), 16);
+  EXPECT_LT(json.at("distance_error").at("mean").get<double>(), 1);
+  EXPECT_NE(report_for_people(rom.report).find("by distance"),
+            std::string::npos);
+}
+
+// A font made for coarser sizes than it holds is wrong by more than a pixel may
+// be.
+TEST(Generate, WarnsOfAreasBeyondTheTolerance) {
+  GenerateRequest request = dejavu();
+  request.symbols = "g";
+  request.target.coding = Coding::outline;
+  request.target.max_px = 64;
+  request.target.tolerance = 5;  // roundings alone take nearly as much
+  const RomFont rom = generate(request);
+  ASSERT_EQ(rom.warnings.size(), 1u);
+  EXPECT_EQ(rom.warnings[0].kind, Warning::Kind::tolerance_missed);
+  EXPECT_NE(rom.warnings[0].text.find("'g'"), std::string::npos);
+  EXPECT_GT(rom.report.worst_error, 5);
+  Font font;
+  ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
+            Status::ok);
+  EXPECT_EQ(font.range().tolerance, std::ceil(rom.report.worst_error));
+}
+
 // A sampled field in the generator's representation.
 SampleTree tree_of(const GlyphField& field) {
   SampleTree tree;

@@ -47,7 +47,7 @@ TEST(RefitGlyph, WhatHoldsAtOnceIsDrawnOnce) {
   const RefittedGlyph glyph = refit(outline({rectangle(100, 0, 200, 700)}));
   EXPECT_EQ(glyph.trials, 1);
   EXPECT_EQ(points_of(glyph.outline), 4u);
-  EXPECT_LE(glyph.errors.worst, 16);
+  EXPECT_LE(glyph.errors.promised.worst, 16);
 }
 
 // At 64 px half a unit of 1000 is finer than the tolerance needs.
@@ -62,7 +62,7 @@ TEST(RefitGlyph, SliversOfACounterCostNothing) {
   const RefittedGlyph glyph = refit(outline(
       {circle(300, 300, 250), circle(300, 300, -40), circle(300.03, 300, 40)}));
   EXPECT_EQ(glyph.outline.contours.size(), 1u);
-  EXPECT_LE(glyph.errors.worst, 16);
+  EXPECT_LE(glyph.errors.promised.worst, 16);
   EXPECT_EQ(glyph.trials, 1);
 }
 
@@ -82,14 +82,14 @@ TEST(RefitGlyph, TightTurnsTakeFewTrials) {
   }
   ragged.segments.back().p[2] = ragged.segments.front().p[0];
   const RefittedGlyph glyph = refit(outline({ragged}));
-  EXPECT_LE(glyph.errors.worst, 16);
+  EXPECT_LE(glyph.errors.promised.worst, 16);
   EXPECT_LE(glyph.trials, 12);
 }
 
 TEST(RefitGlyph, OfSerifsTakesFewTrials) {
   for (const Outline& source : load_outlines(kLiberationSerif, 0, ascii())) {
     const RefittedGlyph glyph = refit(source);
-    EXPECT_LE(glyph.errors.worst, 16);
+    EXPECT_LE(glyph.errors.promised.worst, 16);
     EXPECT_LE(glyph.trials, 14);
   }
 }

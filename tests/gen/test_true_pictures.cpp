@@ -34,7 +34,7 @@ Picture next(TruePictures& pictures,
 
 // The largest error of a pixel, in TruePictures::kUnit.
 int worst_of(const Shape& shape, const std::vector<PictureSetting>& settings) {
-  TruePictures pictures(shape);
+  TruePictures pictures(shape, Measure::distance);
   int worst = 0;
   for (const PictureSetting& setting : settings) {
     const Picture picture = next(pictures, shape, setting);
@@ -88,10 +88,47 @@ TEST(TruePictures, HoldNarrowParts) {
             TruePictures::kBound);
 }
 
+// The area of a pixel, by the lengths of many lines.
+double area_of(const Shape& shape, double x_u, double y_u, double size_u) {
+  constexpr int kLines = 400;
+  std::vector<double> crossings;
+  double sum = 0;
+  for (int i = 0; i < kLines; ++i) {
+    shape.crossings(y_u + (i + 0.5) / kLines * size_u - size_u / 2, crossings);
+    for (size_t j = 0; j + 1 < crossings.size(); j += 2) {
+      const double left = std::max(crossings[j], x_u - size_u / 2);
+      const double right = std::min(crossings[j + 1], x_u + size_u / 2);
+      sum += std::max(0.0, right - left) / (size_u * kLines);
+    }
+  }
+  return sum;
+}
+
+TEST(TruePictures, AreNearTheExactArea) {
+  for (const Outline& glyph :
+       load_outlines(kLiberationSerif, 0, {'a', '%', '@', '.', 'S', '/'})) {
+    const Shape shape(glyph);
+    TruePictures pictures(shape, Measure::area);
+    for (const PictureSetting& setting : settings_of({8, 17, 33, 64})) {
+      const Picture picture = next(pictures, shape, setting);
+      auto at = picture.coverage.begin();
+      for (int y = picture.pixels.y0; y < picture.pixels.y1; ++y) {
+        for (int x = picture.pixels.x0; x < picture.pixels.x1; ++x) {
+          const double exact = 255 * TruePictures::kUnit *
+                               area_of(shape, setting.x_u(x), setting.y_u(y),
+                                       setting.u_per_px());
+          // Lines may miss half of the distance between them.
+          EXPECT_NEAR(*at++, exact, TruePictures::kBound + 2 * 255 * 128 / 800);
+        }
+      }
+    }
+  }
+}
+
 TEST(TruePictures, AreTheSameWhenAskedAgain) {
   const Shape shape(load_outlines(kRoboto, 0, {'&'}).front());
   const std::vector<PictureSetting> settings = settings_of({8, 40, 64, 12});
-  TruePictures pictures(shape);
+  TruePictures pictures(shape, Measure::area);
   std::vector<Picture> first;
   for (const PictureSetting& setting : settings) {
     first.push_back(next(pictures, shape, setting));

@@ -212,6 +212,10 @@ std::string report_for_people(const FontReport& report) {
                  report.left_classes, report.right_classes);
   text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
                  report.worst_error, report.mean_error, error_unit(report));
+  if (options.coding == Coding::outline) {
+    text += format("  %-16s%.1f worst, %.2f mean, with the filter text\n",
+                   "by distance", report.distance_error, report.distance_mean);
+  }
   text += sizes_lines(report);
   text += worst_line(
       report, "most bytes", [](const GlyphReport& g) { return g.bytes; },
@@ -315,6 +319,10 @@ std::string report_as_json(const FontReport& report) {
   json["error"] = {{"max", rounded(report.worst_error)},
                    {"mean", rounded(report.mean_error)},
                    {"unit", error_unit(report)}};
+  if (!fixed) {
+    json["distance_error"] = {{"max", rounded(report.distance_error)},
+                              {"mean", rounded(report.distance_mean)}};
+  }
   Json by_size = Json::array();
   for (const SizeError& size : report.sizes) {
     by_size.push_back({{"px", size.px},

@@ -239,6 +239,7 @@ RowErrors row_errors(const uint8_t* drawn, const int16_t* truth, int count) {
 void compare_inked(const PictureSetting& setting,
                    const Canvas& canvas,
                    const Rect& pixels,
+                   Measure measure,
                    LoopTruth& truth,
                    Gathering& gathering) {
   constexpr double kUnit = TruePictures::kUnit;
@@ -268,9 +269,13 @@ void compare_inked(const PictureSetting& setting,
     }
     for (int x = pixels.x0; x < pixels.x1; ++x) {
       const int drawn = canvas.at(x, y);
-      if (matters(std::abs(drawn * TruePictures::kUnit -
-                           row_of(y)[x - pixels.x0]))) {
-        gathering.add(setting, x, y, error_at(setting, x, y, drawn, truth.map));
+      const int near =
+          std::abs(drawn * TruePictures::kUnit - row_of(y)[x - pixels.x0]);
+      if (matters(near)) {
+        gathering.add(setting, x, y,
+                      measure == Measure::area
+                          ? near / kUnit
+                          : error_at(setting, x, y, drawn, truth.map));
       }
     }
   }
@@ -293,6 +298,7 @@ void expect_nothing(const PictureSetting& setting,
 void compare(const PictureSetting& setting,
              const Canvas& canvas,
              const Rect& inked,
+             Measure measure,
              LoopTruth* truth,
              Gathering& gathering) {
   const Rect& area = canvas.area();
@@ -305,15 +311,16 @@ void compare(const PictureSetting& setting,
     }
   }
   if (truth != nullptr) {
-    compare_inked(setting, canvas, inked, *truth, gathering);
+    compare_inked(setting, canvas, inked, measure, *truth, gathering);
   }
 }
 
-Style style_of(int px) {
+Style style_of(int px, Measure measure) {
   if (px < 4 || px > 1024) {
     throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
   }
-  return Style(Q26_6::from_int(px), kFilterText);
+  return Style(Q26_6::from_int(px),
+               measure == Measure::area ? kFilterArea : kFilterText);
 }
 
 // The worst of the nine pixels around one, at another position or size.
@@ -323,7 +330,8 @@ WrongPixel worst_around(const LoopGlyph& glyph,
   const PictureSetting& setting = middle.setting;
   WrongPixel worst = {setting, middle.x, middle.y, 0};
   Canvas canvas(Rect{middle.x - 1, middle.y - 1, middle.x + 2, middle.y + 2});
-  glyph.draw(style_of(setting.px), origin_of(setting), canvas.sink());
+  glyph.draw(style_of(setting.px, Measure::distance), origin_of(setting),
+             canvas.sink());
   for (int y = middle.y - 1; y < middle.y + 2; ++y) {
     for (int x = middle.x - 1; x < middle.x + 2; ++x) {
       // No ink belongs beyond the map, which reaches kMargin_px around it.
@@ -404,7 +412,7 @@ std::vector<int> loop_sizes(int min_px, int max_px) {
 ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
     : shape_(shape), options_(options) {
   if (!shape.empty()) {
-    truth_.emplace(shape, kMargin_px * 1024 / options.min_px);
+    truth_.emplace(shape, options.measure, kMargin_px * 1024 / options.min_px);
   }
 }
 
@@ -420,7 +428,7 @@ LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
 }
 
 LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
-  return draw_sizes(glyph, true);
+  return draw_sizes(glyph, options_.measure == Measure::distance);
 }
 
 LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
@@ -429,7 +437,7 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
     truth_->pictures.rewind();
   }
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
-    const Style style = style_of(px);
+    const Style style = style_of(px, options_.measure);
     gathering.begin(px);
     for (int i = 0; i < phases_at(px, options_.phases); ++i) {
       const Phase& phase = kPhases[static_cast<size_t>(i)];
@@ -439,7 +447,8 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
           truth_ ? setting.pixels_of(shape_.box(), kMargin_px) : Rect();
       Canvas canvas(join(inked, glyph.box(style, origin)));
       glyph.draw(style, origin, canvas.sink());
-      compare(setting, canvas, inked, truth_ ? &*truth_ : nullptr, gathering);
+      compare(setting, canvas, inked, options_.measure,
+              truth_ ? &*truth_ : nullptr, gathering);
     }
     gathering.end();
   }

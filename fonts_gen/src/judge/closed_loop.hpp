@@ -28,6 +28,8 @@ struct LoopOptions {
   /// Sizes. [px/em] Whole numbers, kMinSize..kMaxSize, min <= max.
   int min_px = 8;
   int max_px = 64;
+  /// What pixels are compared with: filter `text`, or exact area.
+  Measure measure = Measure::distance;
   /// Sub-pixel positions at each size, 1..kLoopPhases. Above 128 px there are
   /// fewer: one phase's pixels lie denser there than all of them below.
   int phases = kLoopPhases;
@@ -63,6 +65,15 @@ struct LoopResult {
   double worst_mean = 0;         // the largest mean of a size
 };
 
+/// Errors of a glyph.
+struct GlyphErrors {
+  /// With the default filter, which is area. Of outlines the worst holds at any
+  /// position: see bound_areas(). Of fields it is the distance.
+  LoopResult promised;
+  /// With the filter `text`, at the positions that the loop tries.
+  LoopResult distance;
+};
+
 /// A glyph as the device draws it, with its origin at `origin`.
 struct LoopGlyph {
   /// The pixels that it may touch.
@@ -79,18 +90,18 @@ std::vector<int> loop_sizes(int min_px, int max_px);
 /// What a glyph should be: nearly, for every pixel, and exactly, for those that
 /// matter.
 struct LoopTruth {
-  LoopTruth(const Shape& shape, double reach_u)
-      : pictures(shape), map(shape, reach_u) {}
+  LoopTruth(const Shape& shape, Measure measure, double reach_u)
+      : pictures(shape, measure), map(shape, reach_u) {}
 
   TruePictures pictures;
   DistanceMap map;
 };
 
-/// Draws a glyph with the device's own renderer, filter `text`, and compares
-/// each pixel with the coverage that the exact distance to the shape gives:
-/// 255 clamp(0.5 + distance in px), not rounded. The exact distance is only
-/// found where a near one shows that the pixel may matter. A pixel that the
-/// device draws outside of the area of the mean counts for the worst one.
+/// Draws a glyph with the device's own renderer, filter `text` or area, and
+/// compares each pixel with the coverage that the exact distance to the shape
+/// gives, not rounded, or with the area of TruePictures. The exact distance is
+/// only found where a near one shows that the pixel may matter. A pixel that
+/// the device draws outside of the area of the mean counts for the worst one.
 ///
 /// What is known of the shape is kept, so that asking again for another coding
 /// of the same glyph costs little more than the drawing. Not for several
@@ -100,9 +111,10 @@ class ClosedLoop {
   ClosedLoop(const Shape& shape, const LoopOptions& options);
 
   /// The result depends on the shape, the options and `glyph` only. Where no
-  /// pixel of an outline misses, those that are near to the tolerance are
-  /// followed to other positions, in steps of 1/64 px, and to the next sizes,
-  /// as long as they get worse. Fields of cells have no such places.
+  /// pixel of an outline misses by distance, those that are near to the
+  /// tolerance are followed to other positions, in steps of 1/64 px, and to the
+  /// next sizes, as long as they get worse. Fields of cells have no such
+  /// places.
   LoopResult draw_and_compare(const LoopGlyph& glyph);
   LoopResult draw_and_compare(const GlyphField& field);
 

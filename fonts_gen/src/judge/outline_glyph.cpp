@@ -9,6 +9,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "judge/area_bound.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/outline_code.hpp"
 #include "outlines/outline_steps.hpp"
@@ -51,6 +52,10 @@ constexpr size_t kLevels = kCurveLevels + std::size(kChordShares);
 // At 64 px and a tolerance of 16/255 this is half a u: about half of the
 // tolerance. The rest is the painter's.
 constexpr double kShare = 32.0 / 16.0;
+
+// Positions at which a glyph that is done is drawn with the filter area: they
+// confirm the bound.
+constexpr int kAreaPhases = 2;
 
 // A grid this much coarser than the tolerance still serves: its points are
 // rounded by half of a unit.
@@ -276,28 +281,40 @@ class Trials {
   Trials(const Outline& source,
          const Shape& shape,
          const GlyphMetrics& metrics,
-         const LoopOptions& loop_options)
+         const RefitOptions& options,
+         const LoopOptions& limits)
       : united_(unite(source, shape)),
         shape_(shape),
         metrics_(metrics),
-        loop_(shape, strict(loop_options)) {
-    best_.errors.worst = kInfinity;
+        options_(options),
+        limits_(limits),
+        loop_(shape, strict(limits)) {
+    for (RefittedGlyph* none : {&best_, &nearest_}) {
+      none->errors.promised.worst = kInfinity;
+      none->errors.distance.worst = kInfinity;
+    }
   }
 
   RefittedGlyph best() {
+    if (best_.errors.promised.worst > limits_.tolerance &&
+        !nearest_.outline.contours.empty()) {
+      nearest_.errors.promised =
+          bound_areas(shape_, nearest_.outline, options_, limits_);
+      keep(std::move(nearest_));
+    }
     best_.trials = trials_;
+    confirm();
     return std::move(best_);
   }
 
   // Tries outlines with more and more care. True if no pixel misses.
   bool run(size_t levels, int most_trials, Attempt& attempt) {
     for (int trial = 0; trial < most_trials; ++trial) {
-      if (!attempt.errors.sizes.empty() &&
+      if (attempt.errors.miss_count != 0 &&
           !attempt.places.add(shape_, attempt.errors.misses, levels)) {
         return false;
       }
-      draw(attempt);
-      if (attempt.errors.misses.empty()) {
+      if (draw(attempt)) {
         return true;
       }
     }
@@ -310,7 +327,8 @@ class Trials {
     return options;
   }
 
-  void draw(Attempt& attempt) {
+  // True if no pixel misses.
+  bool draw(Attempt& attempt) {
     ++trials_;
     const RefitOptions options = attempt.places.options(attempt.options);
     RefittedGlyph glyph;
@@ -318,22 +336,63 @@ class Trials {
         attempt.places.with_chords(united_, options.tolerance_u), shape_,
         options, memo_);
     if (!glyph.outline.contours.empty()) {
-      OneGlyphFont font(glyph.outline, metrics_, options);
-      glyph.errors = loop_.draw_and_compare(font.loop_glyph());
+      OneGlyphFont font(glyph.outline, metrics_, options_);
+      glyph.errors.distance = loop_.draw_and_compare(font.loop_glyph());
     }
-    attempt.errors = glyph.errors;
-    if (glyph.errors.misses.empty() ||
-        glyph.errors.worst < best_.errors.worst) {
+    attempt.errors = glyph.errors.distance;
+    if (attempt.errors.misses.empty()) {
+      attempt.errors = bound_areas(shape_, glyph.outline, options_, limits_);
+      glyph.errors.promised = attempt.errors;
+      keep(std::move(glyph));
+    } else if (glyph.errors.distance.worst < nearest_.errors.distance.worst) {
+      nearest_ = std::move(glyph);
+    }
+    return attempt.errors.misses.empty();
+  }
+
+  // Of outlines whose areas hold that with the least distances, else that with
+  // the least areas.
+  void keep(RefittedGlyph glyph) {
+    const auto area_of = [&](const RefittedGlyph& g) {
+      return std::max(g.errors.promised.worst, limits_.tolerance);
+    };
+    if (area_of(glyph) < area_of(best_) ||
+        (area_of(glyph) == area_of(best_) &&
+         glyph.errors.distance.worst < best_.errors.distance.worst)) {
       best_ = std::move(glyph);
     }
+  }
+
+  // Draws the best outline with the filter area.
+  void confirm() {
+    if (best_.outline.contours.empty()) {
+      return;
+    }
+    LoopOptions options = limits_;
+    options.measure = Measure::area;
+    options.phases = kAreaPhases;
+    OneGlyphFont font(best_.outline, metrics_, options_);
+    LoopResult drawn =
+        ClosedLoop(shape_, options).draw_and_compare(font.loop_glyph());
+    LoopResult& promised = best_.errors.promised;
+    if (promised.worst > drawn.worst) {
+      drawn.worst = promised.worst;
+      drawn.worst_pixel = promised.worst_pixel;
+      drawn.misses = std::move(promised.misses);
+      drawn.miss_count = promised.miss_count;
+    }
+    promised = std::move(drawn);
   }
 
   Outline united_;
   const Shape& shape_;
   const GlyphMetrics& metrics_;
+  RefitOptions options_;  // units and grid, which all attempts share
+  LoopOptions limits_;
   ClosedLoop loop_;
   RefitMemo memo_;
-  RefittedGlyph best_;
+  RefittedGlyph best_;     // of those that held by distance
+  RefittedGlyph nearest_;  // of the others, by distance
   int trials_ = 0;
 };
 
@@ -363,7 +422,7 @@ RefittedGlyph refit_glyph(const Outline& source,
                           const GlyphMetrics& metrics,
                           const RefitOptions& options,
                           const LoopOptions& loop_options) {
-  Trials trials(source, shape, metrics, loop_options);
+  Trials trials(source, shape, metrics, options, loop_options);
   Attempt attempt{options, {}, {}};
   if (trials.run(kCurveLevels, kCurveTrials, attempt)) {
     return trials.best();

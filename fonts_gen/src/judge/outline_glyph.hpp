@@ -22,7 +22,7 @@ RefitOptions refit_options(const Target& options,
 
 struct RefittedGlyph {
   MinimalOutline outline;
-  LoopResult errors;
+  GlyphErrors errors;
   int trials = 0;  // outlines that were drawn until one held
 };
 
@@ -30,10 +30,11 @@ struct RefittedGlyph {
 inline constexpr int kMostTrials = 36;
 
 /// Refits `source`, draws it with the device's decoder and painter at all sizes
-/// of the loop, and takes more care where a pixel misses the tolerance: first
-/// corners and a quarter of the tolerance, then the points of the source, then
-/// chords. What held stays as it was. The best of all attempts, which may still
-/// miss the tolerance; see `errors`.
+/// of the loop, and takes more care where a pixel misses the tolerance by
+/// distance, or by the bound of its area: first corners and a quarter of the
+/// tolerance, then the points of the source, then chords. What held stays as it
+/// was. The best of all attempts, which may still miss the tolerance; see
+/// `errors`. One whose areas hold is better than all whose do not.
 ///
 /// `shape` is the area of `source` and not empty, `metrics` its box. Throws
 /// GeometryError.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/area_gains.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
@@ -193,12 +194,8 @@ const std::vector<Edge>& TruePictures::border_for(int px) {
   return border_;
 }
 
-const int16_t* TruePictures::next(const PictureSetting& setting,
+void TruePictures::draw_distances(const PictureSetting& setting,
                                   const Rect& pixels) {
-  const size_t at = at_++;
-  if (at < kept_.size()) {
-    return kept_[at].data();
-  }
   Splat splat(setting, pixels, squares_, toggles_);
   for (const Edge& edge : border_for(setting.px)) {
     splat.add(edge);
@@ -208,6 +205,59 @@ const int16_t* TruePictures::next(const PictureSetting& setting,
   for (size_t row = 0; row < picture_.size(); row += width) {
     cover(squares_.data() + row, toggles_.data() + row, width,
           picture_.data() + row);
+  }
+}
+
+// Rows are turned upside down: edges that go up in the glyph go up in them.
+void TruePictures::draw_areas(const PictureSetting& setting,
+                              const Rect& pixels) {
+  const int width = pixels.x1 - pixels.x0;
+  const int height = pixels.y1 - pixels.y0;
+  // A pixel to the left, and two to the right, for what lies beyond.
+  const int stride = width + 3;
+  const auto last_x = static_cast<double>(width + 1);
+  const auto last_y = static_cast<double>(height);
+  gains_.assign(static_cast<size_t>(stride) * static_cast<size_t>(height), 0);
+  const auto place = [&](const Point& p) {
+    return Point{
+        p.x / setting.u_per_px() + setting.phase_x / 64.0 - pixels.x0 + 1,
+        p.y / setting.u_per_px() - setting.phase_y / 64.0 + pixels.y1};
+  };
+  for (const Edge& edge : border_for(setting.px)) {
+    const Point a = place(edge.a);
+    const Point b = place(edge.b);
+    for_rows_of({a.x, std::clamp(a.y, 0.0, last_y)},
+                {b.x, std::clamp(b.y, 0.0, last_y)},
+                [&](int row, Point low, Point high, bool is_up) {
+                  low.x = std::clamp(low.x, 0.0, last_x);
+                  high.x = std::clamp(high.x, 0.0, last_x);
+                  add_gains(
+                      low, high, is_up,
+                      gains_.data() + static_cast<ptrdiff_t>(row) * stride);
+                });
+  }
+  picture_.clear();
+  for (int row = height; row-- != 0;) {
+    const double* gains = gains_.data() + static_cast<ptrdiff_t>(row) * stride;
+    double sum = *gains;
+    for (int x = 0; x < width; ++x) {
+      sum += *++gains;
+      picture_.push_back(static_cast<int16_t>(
+          std::lround(255 * kUnit * std::clamp(sum, 0.0, 1.0))));
+    }
+  }
+}
+
+const int16_t* TruePictures::next(const PictureSetting& setting,
+                                  const Rect& pixels) {
+  const size_t at = at_++;
+  if (at < kept_.size()) {
+    return kept_[at].data();
+  }
+  if (measure_ == Measure::area) {
+    draw_areas(setting, pixels);
+  } else {
+    draw_distances(setting, pixels);
   }
   if (at == kept_.size() && kept_pixels_ + picture_.size() <= kMostKept) {
     kept_pixels_ += picture_.size();

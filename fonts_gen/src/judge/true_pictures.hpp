@@ -27,10 +27,14 @@ struct PictureSetting {
   Rect pixels_of(const Box& box, double margin_px) const;
 };
 
-/// The filter `text` of distances to a shape. Its border is simplified: chords
-/// of curves are joined where that moves the border by kStray_px at most. So a
-/// picture costs little, and each of its pixels is within kBound of
-/// 255 clamp(0.5 + distance in px). The same on every machine.
+/// What a pixel shows: the filter `text` of its distance from the border, 255
+/// clamp(0.5 + distance in px), or the area of it that is filled.
+enum class Measure : uint8_t { distance, area };
+
+/// True coverage of a shape. Its border is simplified: chords of curves are
+/// joined where that moves the border by kStray_px at most. So a picture costs
+/// little, and each of its pixels is within kBound of the truth. The same on
+/// every machine.
 ///
 /// Pictures are asked for in the same order again and again; the first ones are
 /// kept. Not for several threads at once; refers to the shape.
@@ -42,7 +46,8 @@ class TruePictures {
   static constexpr int kBound = 66;
 
   /// `shape` must not be empty.
-  explicit TruePictures(const Shape& shape) : shape_(shape) {}
+  TruePictures(const Shape& shape, Measure measure)
+      : shape_(shape), measure_(measure) {}
 
   /// Begins with the first picture again.
   void rewind() { at_ = 0; }
@@ -59,7 +64,11 @@ class TruePictures {
 
   const std::vector<Edge>& border_for(int px);
 
+  void draw_distances(const PictureSetting& setting, const Rect& pixels);
+  void draw_areas(const PictureSetting& setting, const Rect& pixels);
+
   const Shape& shape_;
+  Measure measure_;
   std::vector<Edge> border_;  // simplified for sizes up to border_px_
   int border_px_ = 0;
   std::vector<std::vector<int16_t>> kept_;
@@ -70,6 +79,7 @@ class TruePictures {
   // whether an odd number of edges lies between it and the pixel to its left.
   std::vector<float> squares_;
   std::vector<uint8_t> toggles_;
+  std::vector<double> gains_;  // see add_gains()
 };
 
 }  // namespace inkcell::gen

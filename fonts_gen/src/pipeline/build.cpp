@@ -50,8 +50,9 @@ void judge_field(const Shape& shape, const Target& options, BuiltGlyph& built) {
   const std::vector<uint8_t> record = glyph_record(built.glyph);
   GlyphField field;
   if (GlyphField::open({record.data(), record.size()}, field) == Status::ok) {
-    built.errors =
+    built.errors.distance =
         ClosedLoop(shape, loop_options(options)).draw_and_compare(field);
+    built.errors.promised = built.errors.distance;
   }
 }
 
@@ -62,7 +63,7 @@ void build_field(const Shape& shape, const Target& options, BuiltGlyph& built) {
   if (is_image) {
     judge_field(shape, options, built);
   }
-  if (!is_image || built.errors.worst > options.tolerance) {
+  if (!is_image || built.errors.promised.worst > options.tolerance) {
     built.glyph.field = build_sample_tree(shape, options);
     judge_field(shape, options, built);
   }
@@ -220,7 +221,7 @@ void build_glyphs(const SourceFont& font,
                   const GenerateRequest& request,
                   const RefitOptions& refit,
                   RomContent& content,
-                  std::vector<LoopResult>& errors) {
+                  std::vector<GlyphErrors>& errors) {
   content.glyphs.resize(font.glyphs.size());
   errors.resize(font.glyphs.size());
   const bool is_sampled = request.target.coding == Coding::field;
@@ -272,7 +273,7 @@ void build_glyphs(const SourceFont& font,
 // Leaves out the last glyphs, from which no other one is made.
 void drop_unused_components(SourceFont& font,
                             RomContent& content,
-                            std::vector<LoopResult>& errors) {
+                            std::vector<GlyphErrors>& errors) {
   const std::vector<size_t> kept =
       used_glyphs(content, [&](size_t glyph) { return font.is_shown(glyph); });
   const auto keep = [&kept](auto& list) {
@@ -301,7 +302,7 @@ void build_part(const SourceFont& font,
     sources.push_back(font.glyphs[glyph]);
   }
   std::vector<RomGlyph> glyphs(sources.size());
-  std::vector<LoopResult> errors(sources.size());
+  std::vector<GlyphErrors> errors(sources.size());
   std::function<void(size_t)> done;
   if (request.progress) {
     done = [&](size_t finished) { request.progress(finished, sources.size()); };
@@ -321,7 +322,7 @@ void build_part(const SourceFont& font,
 
 RomContent build_content(SourceFont& font,
                          const GenerateRequest& request,
-                         std::vector<LoopResult>& errors) {
+                         std::vector<GlyphErrors>& errors) {
   RomContent content;
   content.name = font.name;
   content.metrics = font.metrics;

@@ -15,7 +15,7 @@ namespace inkcell::gen {
 /// and its kerning is moved to the result. Throws Error.
 RomContent build_content(SourceFont& font,
                          const GenerateRequest& request,
-                         std::vector<LoopResult>& errors);
+                         std::vector<GlyphErrors>& errors);
 
 /// Builds a part of the glyphs of an outline font into request.built_glyphs.
 /// The parts take about equally long. Throws Error.

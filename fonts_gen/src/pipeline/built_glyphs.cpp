@@ -66,6 +66,20 @@ void transfer_miss(Archive& archive, Miss& miss) {
   archive(miss.x_u), archive(miss.y_u), archive(miss.px), archive(miss.error);
 }
 
+template <typename Archive, typename Errors>
+void transfer_errors(Archive& archive, Errors& errors) {
+  archive.list(errors.sizes);
+  for (auto& size : errors.sizes) {
+    archive(size.px), archive(size.worst), archive(size.mean);
+  }
+  archive.list(errors.misses);
+  for (auto& miss : errors.misses) {
+    transfer_miss(archive, miss);
+  }
+  transfer_miss(archive, errors.worst_pixel);
+  archive(errors.miss_count), archive(errors.worst), archive(errors.worst_mean);
+}
+
 // The members of a glyph, in the order of the bytes; glyphs of outlines have
 // no others yet.
 template <typename Archive, typename Glyph>
@@ -81,17 +95,8 @@ void transfer(Archive& archive, Glyph& built) {
       archive(point.x), archive(point.y), archive(point.kind);
     }
   }
-  auto& errors = built.errors;
-  archive.list(errors.sizes);
-  for (auto& size : errors.sizes) {
-    archive(size.px), archive(size.worst), archive(size.mean);
-  }
-  archive.list(errors.misses);
-  for (auto& miss : errors.misses) {
-    transfer_miss(archive, miss);
-  }
-  transfer_miss(archive, errors.worst_pixel);
-  archive(errors.miss_count), archive(errors.worst), archive(errors.worst_mean);
+  transfer_errors(archive, built.errors.promised);
+  transfer_errors(archive, built.errors.distance);
 }
 
 template <typename Archive, typename Key>
@@ -133,7 +138,7 @@ const BuiltGlyph* BuiltGlyphs::find(const Outline& outline) const {
 
 void BuiltGlyphs::keep(const std::vector<SourceGlyph>& sources,
                        const std::vector<RomGlyph>& glyphs,
-                       const std::vector<LoopResult>& errors) {
+                       const std::vector<GlyphErrors>& errors) {
   std::map<Key, BuiltGlyph> kept;
   reused_ = 0;
   for (size_t i = 0; i < sources.size(); ++i) {

@@ -17,8 +17,8 @@ namespace inkcell::gen {
 
 /// One glyph, and how it looks.
 struct BuiltGlyph {
-  RomGlyph glyph;     // but for its advance, which is no part of the work
-  LoopResult errors;  // size_aware
+  RomGlyph glyph;      // but for its advance, which is no part of the work
+  GlyphErrors errors;  // size_aware
 };
 
 /// The glyphs of the last font that was built with it, by their outlines. For
@@ -38,7 +38,7 @@ class BuiltGlyphs {
   /// `errors[i]`, is the one of `sources[i]`.
   void keep(const std::vector<SourceGlyph>& sources,
             const std::vector<RomGlyph>& glyphs,
-            const std::vector<LoopResult>& errors);
+            const std::vector<GlyphErrors>& errors);
 
   /// Its glyphs as bytes, for add() of this version on the same kind of
   /// machine: processes may share the work of one font.

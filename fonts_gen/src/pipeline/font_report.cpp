@@ -13,7 +13,7 @@ constexpr size_t kListedGlyphs = 10;
 
 GlyphReport report_glyph(const SourceGlyph& source,
                          const RomGlyph& built,
-                         const LoopResult& errors,
+                         const GlyphErrors& errors,
                          const Target& options) {
   GlyphReport glyph;
   glyph.name = source.name();
@@ -33,12 +33,14 @@ GlyphReport report_glyph(const SourceGlyph& source,
     glyph.within_tolerance = built.field.within_tolerance;
     return glyph;
   }
-  glyph.worst_error = errors.worst;
-  glyph.mean_error = errors.worst_mean;
-  glyph.within_tolerance = errors.worst <= options.tolerance;
-  glyph.worst_px = errors.worst_pixel.px;
-  glyph.worst_x_u = errors.worst_pixel.x_u;
-  glyph.worst_y_u = errors.worst_pixel.y_u;
+  const LoopResult& promised = errors.promised;
+  glyph.worst_error = promised.worst;
+  glyph.mean_error = promised.worst_mean;
+  glyph.within_tolerance = promised.worst <= options.tolerance;
+  glyph.worst_px = promised.worst_pixel.px;
+  glyph.worst_x_u = promised.worst_pixel.x_u;
+  glyph.worst_y_u = promised.worst_pixel.y_u;
+  glyph.distance_error = errors.distance.worst;
   return glyph;
 }
 
@@ -50,10 +52,12 @@ bool has_only(const std::vector<char32_t>& code_points, const CharSet& added) {
 }
 
 // The errors of all glyphs, size by size.
-std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
+std::vector<SizeError> sum_of_sizes(const std::vector<GlyphErrors>& glyphs,
+                                    LoopResult GlyphErrors::*kind) {
   std::vector<SizeError> sum;
   size_t count = 0;
-  for (const LoopResult& glyph : glyphs) {
+  for (const GlyphErrors& errors : glyphs) {
+    const LoopResult& glyph = errors.*kind;
     if (glyph.sizes.empty()) {
       continue;
     }
@@ -71,6 +75,14 @@ std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
     size.mean /= static_cast<double>(count);
   }
   return sum;
+}
+
+double largest_mean(const std::vector<SizeError>& sizes) {
+  double mean = 0;
+  for (const SizeError& size : sizes) {
+    mean = std::max(mean, size.mean);
+  }
+  return mean;
 }
 
 std::string shown_255(double value) {
@@ -92,7 +104,7 @@ std::string described(const GlyphReport& glyph, const FontReport& report) {
 
 FontReport make_report(const SourceFont& font,
                        const RomContent& content,
-                       const std::vector<LoopResult>& errors) {
+                       const std::vector<GlyphErrors>& errors) {
   FontReport report;
   report.file_name = font.file_name;
   report.name = font.name;
@@ -104,7 +116,7 @@ FontReport make_report(const SourceFont& font,
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
   report.right_classes = content.kerning.right_classes;
-  report.sizes = sum_of_sizes(errors);
+  report.sizes = sum_of_sizes(errors, &GlyphErrors::promised);
   size_t with_ink = 0;
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     const RomGlyph& built = content.glyphs[i];
@@ -126,6 +138,8 @@ FontReport make_report(const SourceFont& font,
       report.simple_bytes += built.simple_bytes;
     }
     report.worst_error = std::max(report.worst_error, glyph.worst_error);
+    report.distance_error =
+        std::max(report.distance_error, glyph.distance_error);
     if (built.has_ink()) {
       report.mean_error += glyph.mean_error;
       ++with_ink;
@@ -136,10 +150,9 @@ FontReport make_report(const SourceFont& font,
     report.mean_error /= static_cast<double>(with_ink);
   }
   if (!report.sizes.empty()) {
-    report.mean_error = 0;
-    for (const SizeError& size : report.sizes) {
-      report.mean_error = std::max(report.mean_error, size.mean);
-    }
+    report.mean_error = largest_mean(report.sizes);
+    report.distance_mean =
+        largest_mean(sum_of_sizes(errors, &GlyphErrors::distance));
   }
   return report;
 }

@@ -26,14 +26,15 @@ struct GlyphReport {
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
   size_t components = 0;  // that a composite record refers to; 0: simple
   size_t bytes = 0;       // of its record
-  /// size_aware: of the pixels that the device draws, at the worst size; the
-  /// mean over the ink's box and 1.5 px [1/255]. fixed: as SampleTree.
+  /// size_aware: what GlyphErrors promises; the mean over the ink's box and 1.5
+  /// px at the worst size [1/255]. fixed: as SampleTree.
   double worst_error = 0;
   double mean_error = 0;
   int worst_px = 0;      // size_aware: the size of the worst pixel
   double worst_x_u = 0;  // its centre in the glyph
   double worst_y_u = 0;
   bool within_tolerance = true;
+  double distance_error = 0;  // size_aware: with the filter `text` [1/255]
 };
 
 /// What the characters of a language cost.
@@ -68,11 +69,13 @@ struct FontReport {
   size_t composites = 0;       // glyphs that refer to others
   size_t composite_bytes = 0;  // their records
   size_t simple_bytes = 0;     // records of their outlines instead
-  /// size_aware: as drawn, of all glyphs together; the mean of a size is that
-  /// of the glyphs' means.
+  /// size_aware: as drawn with the default filter, of all glyphs together; the
+  /// mean of a size is that of the glyphs' means.
   std::vector<SizeError> sizes;
   double worst_error = 0;  // of all glyphs
   double mean_error = 0;   // at the worst size; fixed: over the glyphs with ink
+  double distance_error = 0;  // size_aware: likewise, with the filter `text`
+  double distance_mean = 0;
   double seconds = 0;
   /// What Target::band_px cost, if it was asked for and measured. [bytes]
   std::optional<int64_t> band_bytes;
@@ -84,7 +87,7 @@ struct FontReport {
 /// `errors`: of each glyph as drawn.
 FontReport make_report(const SourceFont& font,
                        const RomContent& content,
-                       const std::vector<LoopResult>& errors);
+                       const std::vector<GlyphErrors>& errors);
 
 /// What each language of the translations costs in the font of `report`.
 std::vector<LanguageReport> report_languages(const SourceFont& font,

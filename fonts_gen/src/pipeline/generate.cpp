@@ -24,10 +24,10 @@ namespace {
 
 // What was asked for, or what was reached where that is worse. [1/255]
 double promised_tolerance(const Target& asked,
-                          const std::vector<LoopResult>& errors) {
+                          const std::vector<GlyphErrors>& errors) {
   double tolerance = asked.tolerance;
-  for (const LoopResult& glyph : errors) {
-    tolerance = std::max(tolerance, std::ceil(glyph.worst));
+  for (const GlyphErrors& glyph : errors) {
+    tolerance = std::max(tolerance, std::ceil(glyph.promised.worst));
   }
   return std::min(tolerance, 255.0);
 }
@@ -156,7 +156,7 @@ RomFont generate(const GenerateRequest& request) {
   if (request.strict && !font.missing.empty()) {
     refuse_missing(request, font.file_name, font.missing);
   }
-  std::vector<LoopResult> errors;
+  std::vector<GlyphErrors> errors;
   RomContent content = build_content(font, request, errors);
   add_morphs(request, font, content, rom.warnings);
   // A font promises what it holds.

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <polyclipping/clipper.hpp>
 
+#include "shape/clipper_units.hpp"
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
-
-// Clipper uses integers. Below 2^30 it needs no 128-bit products, and products
-// of two coordinates are exact enough in its doubles.
-constexpr double kClipperUnits_per_u = 65536;
-static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
-              "outlines must stay in Clipper's fast range");
 
 constexpr uint32_t kEdgesPerLeaf = 6;
 
@@ -32,15 +27,9 @@ ClipperLib::Path to_clipper(const std::vector<Point>& polygon) {
   ClipperLib::Path path;
   path.reserve(polygon.size());
   for (const Point& p : polygon) {
-    path.emplace_back(std::llround(p.x * kClipperUnits_per_u),
-                      std::llround(p.y * kClipperUnits_per_u));
+    path.push_back(gen::to_clipper(p));
   }
   return path;
-}
-
-Point from_clipper(const ClipperLib::IntPoint& p) {
-  return {static_cast<double>(p.X) / kClipperUnits_per_u,
-          static_cast<double>(p.Y) / kClipperUnits_per_u};
 }
 
 // The outer borders counter-clockwise, the holes clockwise.

@@ -1,0 +1,27 @@
+// Coordinates as Clipper takes them: whole numbers.
+#pragma once
+
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+
+#include "shape/outline.hpp"
+
+namespace inkcell::gen {
+
+// Below 2^30 Clipper needs no 128-bit products, and products of two coordinates
+// are exact enough in its doubles.
+inline constexpr double kClipperUnits_per_u = 65536;
+static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
+              "outlines must stay in Clipper's fast range");
+
+inline ClipperLib::IntPoint to_clipper(const Point& p) {
+  return {std::llround(p.x * kClipperUnits_per_u),
+          std::llround(p.y * kClipperUnits_per_u)};
+}
+
+inline Point from_clipper(const ClipperLib::IntPoint& p) {
+  return {static_cast<double>(p.X) / kClipperUnits_per_u,
+          static_cast<double>(p.Y) / kClipperUnits_per_u};
+}
+
+}  // namespace inkcell::gen
