@@ -128,8 +128,9 @@ Line lay_out(const Font& font,
   if (kerning == Kerning::none) {
     std::vector<PositionedGlyph> room(run.size());
     Span<const PositionedGlyph> glyphs;
-    static_cast<void>(lay_out(font, ShapedRun{{run.data(), run.size()}, 0},
-                              style, {room.data(), room.size()}, glyphs));
+    static_cast<void>(Painter().lay_out(font, style,
+                                        ShapedRun{{run.data(), run.size()}, 0},
+                                        {room.data(), room.size()}, glyphs));
     for (size_t i = 0; i != glyphs.size; ++i) {
       line.glyphs[i].x = glyphs[i].x;
     }
