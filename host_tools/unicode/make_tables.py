@@ -248,11 +248,9 @@ def source(header, version, size, text):
 // {size} bytes. Do not edit.
 // clang-format off
 
-namespace inkcell {{
-namespace detail {{
+namespace inkcell::detail {{
 {text}
-}}  // namespace detail
-}}  // namespace inkcell
+}}  // namespace inkcell::detail
 """
 
 

@@ -1,7 +1,6 @@
 #include "glyph_store.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // One hint for as many bytes.
@@ -149,5 +148,4 @@ const CachedGlyph* GlyphStore::find(uint32_t key) noexcept {
   return &found;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -10,8 +10,7 @@
 
 #include "inkcell/cache/glyph_cache.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A glyph at a phase.
 struct __attribute__((may_alias)) CachedGlyph {
@@ -96,5 +95,4 @@ class __attribute__((may_alias)) GlyphStore {
   GlyphCacheStats counted_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

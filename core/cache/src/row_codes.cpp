@@ -8,8 +8,7 @@
 #include "base/words.hpp"
 #include "rows/emit_band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // What a pair holds.
@@ -408,5 +407,4 @@ void replay(const uint8_t* at,
   job.draw();
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -18,8 +18,7 @@
 
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // How a pixel is kept.
 struct Packing {
@@ -49,5 +48,4 @@ void replay(const uint8_t* at,
             const Rect& box,
             const Sink& sink) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "cell_values.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Derivatives of the Lagrange weights: 4t - 3, 4 - 8t, 4t - 1.
@@ -64,5 +63,4 @@ FieldPoint cell_point(const uint8_t* samples,
   return point;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -8,8 +8,7 @@
 #include "inkcell/field/cell.hpp"
 #include "inkcell/format/rom.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Lagrange weights of the points 0, 1/2 and 1 at t, 0 <= t < 1. They sum to
 // one exactly, so that a constant is reproduced exactly.
@@ -76,5 +75,4 @@ FieldPoint cell_point(const uint8_t* samples,
                       uint32_t x_q16,
                       uint32_t y_q16) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

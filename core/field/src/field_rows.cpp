@@ -5,8 +5,7 @@
 #include "row_painter.hpp"
 #include "rows/crossings.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Columns of a row.
@@ -259,5 +258,4 @@ void FieldRows::fill(const Band& band,
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -17,8 +17,7 @@
 #include "place/position.hpp"
 #include "rows/band_kind.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A glyph at a place on the screen, sampled so many times a pixel. Has no
 // constructor, because it lies in jobs (rows/source.hpp).
@@ -68,5 +67,4 @@ class FieldRows {
   uint8_t rows_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -4,8 +4,7 @@
 #include "base/root.hpp"
 #include "place/style_parts.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // The length of a vector, which is that times 2^log2.
@@ -105,5 +104,4 @@ int32_t screen_distance_q10(const Style& style,
          15;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -9,8 +9,7 @@
 #include "inkcell/style.hpp"
 #include "tree.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A place in a glyph, from the origin, y up. [u]
 struct FieldPlace {
@@ -69,5 +68,4 @@ int32_t screen_distance_q10(const Style& style,
                             FieldSampler& sampler,
                             const FieldPlace& at) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -4,8 +4,7 @@
 #include "base/root.hpp"
 #include "rows/contours.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // From one point to another, or from the origin.
 struct Offset {
@@ -239,5 +238,4 @@ uint32_t Polyline::keep(int32_t x,
   return kept;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,8 +6,7 @@
 #include "inkcell/span.hpp"
 #include "outlines/outline_glyph.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A vertex and the direction of the edge that begins there. The last vertex of
 // a contour lies on its first one, has that one's direction, and begins no
@@ -72,5 +71,4 @@ class Polyline {
   uint32_t edge_count_ = 0;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -11,8 +11,7 @@
 #include "place/style_parts.hpp"
 #include "tree.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A full pixel of a band of areas.
 inline constexpr int32_t kFullArea = 240;
@@ -284,5 +283,4 @@ struct FieldRow {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/format/rom.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A leaf of a quadtree: nine samples, or saturated on one side.
 struct FieldLeaf {
@@ -117,5 +116,4 @@ inline bool is_in_field(const GlyphField& field,
          y_u < uint32_t{field.tiles_y} << field.tile_log2;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,8 +6,7 @@
 #include "known_span.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostStrength = 1 << 26;
@@ -229,5 +228,4 @@ void advect(const DistanceGrid& grid,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "inkcell/kinetic/body_contacts.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kRounds = 8;  // of impulses over all contacts
@@ -413,5 +412,4 @@ Rect box_of(const Body& body) noexcept {
   return {x - radius, y - radius, x + radius + 1, y + radius + 1};
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

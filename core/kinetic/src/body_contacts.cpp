@@ -6,8 +6,7 @@
 #include "body_look.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // Bodies nearer than two samples are examined: they may meet by their bulges.
@@ -316,5 +315,4 @@ size_t find_contacts(Span<Body> bodies,
   return finder.count;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "limits.hpp"
 #include "pixel_run.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostSwellQ10 = 1 << 10;
@@ -194,5 +193,4 @@ void draw_body(Span<const Body> bodies,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -8,8 +8,7 @@
 #include "inkcell/kinetic/body_contacts.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 // A candidate for a contact, from the first body's centre. [px, Q8] The normal
 // is not normalised yet. [Q13]
@@ -163,5 +162,4 @@ struct Look {
   }
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "known_span.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr size_t kLeastPoints = 8;
@@ -191,5 +190,4 @@ Status BodyShape::make(const DistanceGrid& grid,
   return Status::ok;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

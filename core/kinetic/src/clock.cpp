@@ -6,8 +6,7 @@
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr Easing kChange = cubic_bezier(650, 0, 350, 1000);
@@ -137,5 +136,4 @@ void Clock::draw(const Painter& painter) const noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "limits.hpp"
 #include "pixel_run.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kFarQ10 = -(32 << 10);
@@ -242,5 +241,4 @@ void draw_combined(Span<const GridPart> parts,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

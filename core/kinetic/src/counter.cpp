@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostDigits = 9;
@@ -91,5 +90,4 @@ void Counter::draw(const Painter& painter) const noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostPx = 2048;  // of a cell, whatever the font says
@@ -89,5 +88,4 @@ void draw_roll(const Painter& painter,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

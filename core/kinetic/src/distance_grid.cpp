@@ -7,8 +7,7 @@
 #include "inkcell/style.hpp"
 #include "known_span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 void keep_greater(int8_t& sample, int32_t value) noexcept {
@@ -151,5 +150,4 @@ GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept {
   return point;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

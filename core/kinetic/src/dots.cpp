@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kLeastQ6 = 32;
@@ -64,5 +63,4 @@ void draw_dot(Q16_16 x, Q16_16 y, Q26_6 radius, const Sink& sink) noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // One coordinate of a Bezier curve from 0 to 1: ((a s + b) s + c) s.
@@ -93,5 +92,4 @@ Q16_16 ease(const Easing& easing, Q16_16 progress) noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // coverage opacity / 255, to the nearest.
@@ -127,5 +126,4 @@ Sink make_sink(const SoftWindow& soft) noexcept {
   return sink;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

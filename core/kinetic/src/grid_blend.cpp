@@ -4,8 +4,7 @@
 #include "known_span.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 bool fit(const DistanceGrid& a, const DistanceGrid& b) noexcept {
@@ -102,5 +101,4 @@ Fixed<int32_t, 13> cutoff_for(const DistanceGrid& grid,
   return Fixed<int32_t, 13>::from_raw(cutoff_of(scratch, wanted));
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

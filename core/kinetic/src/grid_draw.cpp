@@ -11,8 +11,7 @@
 #include "known_span.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostGainQ8 = 2 << 8;
@@ -321,5 +320,4 @@ void draw_offset(const DistanceGrid& grid,
   draw_grid(grid, look, x, y, filter, sink);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

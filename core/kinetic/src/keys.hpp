@@ -7,8 +7,7 @@
 #include "inkcell/kinetic/timeline.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 // The keys around a time; before the first one, and from the last one on, both
 // are that.
@@ -46,5 +45,4 @@ int32_t next_change(Span<const Key> keys,
   return kNever;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

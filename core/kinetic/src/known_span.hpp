@@ -9,8 +9,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// The coverage of a sample's square: it stands for the middle of its step.
 /// [1/64]
@@ -84,5 +83,4 @@ inline KnownSpan known_span(const DistanceGrid& grid,
   return span;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 
 #include "base/math.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 using detail::abs;
 using detail::clamp;
@@ -24,5 +23,4 @@ inline int32_t rough_length(int32_t x, int32_t y) noexcept {
   return max(most, most - (most >> 3) + (min(x, y) >> 1));
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

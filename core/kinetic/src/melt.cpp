@@ -4,8 +4,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kSlow = 80;  // the height of slow samples [1/32 sample]
@@ -71,5 +70,4 @@ void freeze(DistanceGrid& grid,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "inkcell/style.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 GlyphMorph::GlyphMorph(const Font& font,
                        Q26_6 size,
@@ -124,5 +123,4 @@ void GlyphMorph::draw(int32_t x,
       glyph);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -7,8 +7,7 @@
 #include "limits.hpp"
 #include "outlines/record_bits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 using detail::kCorner;
@@ -330,5 +329,4 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "inkcell/span.hpp"
 #include "outlines/screen_point.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// All points of a glyph, as OutlineGlyph::read() writes them.
 struct MorphOutline {
@@ -24,5 +23,4 @@ detail::ScreenPoint* write_morph(const Span<const uint8_t>& record,
                                  detail::ScreenPoint* out,
                                  int32_t room) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -9,8 +9,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 // The pairs of a font. Safe on any bytes: what lies outside is 0.
 class MorphTable {
@@ -103,5 +102,4 @@ class MorphTable {
   uint32_t row_bits_ = 0;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

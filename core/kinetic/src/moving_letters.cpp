@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 PosedGlyph MovingLetters::posed(size_t index, int32_t now_ms) const noexcept {
   constexpr int32_t kMostMs = 1 << 30;
@@ -41,5 +40,4 @@ void MovingLetters::draw(const Painter& painter) noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -4,8 +4,7 @@
 #include "base/root.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 using detail::magnitude;
@@ -126,5 +125,4 @@ uint32_t RandomNumbers::next() noexcept {
   return (word >> 22) ^ word;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // The grid's corner is clamped to the screen's range. [px]
@@ -116,5 +115,4 @@ bool find_edge(const DistanceGrid& grid,
   return false;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -4,8 +4,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 int16_t speed(int32_t value) noexcept {
@@ -178,5 +177,4 @@ bool are_at_rest(Span<const Particle> particles) noexcept {
   return true;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "limits.hpp"
 #include "place/style_parts.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kMostQ16 = 8191 << 16;
@@ -319,5 +318,4 @@ Rect draw_on_circle(const Painter& painter,
   return box;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "inkcell/strip.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 // Collects coverage of adjacent pixels of the window and emits it as runs.
 class PixelRun {
@@ -51,5 +50,4 @@ class PixelRun {
   uint8_t coverage_[kMost];
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

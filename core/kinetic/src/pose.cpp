@@ -4,8 +4,7 @@
 #include "keys.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 int16_t clamp_q(int64_t value) noexcept {
@@ -79,5 +78,4 @@ int32_t next_due(Span<const PoseKey> keys, int32_t time_ms) noexcept {
   return next_change(keys, &PoseKey::pose, time_ms);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

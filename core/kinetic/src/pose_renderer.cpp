@@ -4,8 +4,7 @@
 #include "inkcell/kinetic/fade.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // A scale of at least 4 px to the em, with its sign.
@@ -180,5 +179,4 @@ void PoseRenderer::add_changes(Span<const PosedGlyph> before,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

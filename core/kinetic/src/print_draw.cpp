@@ -9,8 +9,7 @@
 #include "limits.hpp"
 #include "pixel_run.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kBlack = 255;
@@ -270,5 +269,4 @@ void draw_print(const DistanceGrid& grid,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "known_span.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kSide = 32;  // of a sample, in units of its value
@@ -178,5 +177,4 @@ void redistance(const DistanceGrid& from,
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -3,8 +3,7 @@
 
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 bool has_ink(const Font& font, uint16_t glyph) noexcept {
@@ -171,5 +170,4 @@ PosedGlyph place(const Font& font,
   return posed;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -3,8 +3,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 Q16_16 spring_at(const Spring& spring, int32_t time_ms) noexcept {
   constexpr int32_t kOne = 1 << 16;
@@ -39,5 +38,4 @@ Q16_16 spring_at(const Spring& spring, int32_t time_ms) noexcept {
   return Q16_16::from_raw(clamp_i64(value, 0, 2 * kOne));
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

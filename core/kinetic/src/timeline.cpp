@@ -5,8 +5,7 @@
 #include "keys.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 constexpr int32_t kLongest = 1 << 30;
@@ -133,5 +132,4 @@ int32_t longest_delay(const Stagger& stagger, size_t count) noexcept {
   return count == 0 ? 0 : delay_of(in_order, count - 1, count);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

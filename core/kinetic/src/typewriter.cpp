@@ -4,8 +4,7 @@
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // Takes up to so many letters off a text; returns how many.
@@ -85,5 +84,4 @@ int32_t Typewriter::next_due(int32_t now_ms) const noexcept {
   return static_cast<int32_t>(due < kNever ? due : kNever);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "inkcell/kinetic/outline_morph.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 // A letter without a second master is a morph of a glyph and itself.
@@ -108,5 +107,4 @@ void WeightPulse::draw(const Painter& painter) const noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "limits.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 Rect Wipe::at(int32_t now_ms, const Painter& painter) noexcept {
   const int32_t last = edge_;
@@ -43,5 +42,4 @@ void Wipe::draw(const Painter& painter) const noexcept {
   }
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

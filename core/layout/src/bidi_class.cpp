@@ -1,7 +1,6 @@
 #include "bidi_class.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 Mirror image_of(uint32_t image, bool is_first, uint32_t kind) noexcept {
@@ -33,5 +32,4 @@ Mirror mirror_of(uint32_t code_point) noexcept {
   return {};
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "bidi_tables.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 enum class BidiClass : uint8_t {
   l,    // left to right
@@ -48,5 +47,4 @@ struct Mirror {
 
 Mirror mirror_of(uint32_t code_point) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,8 +1,7 @@
 // Over 400 lines: the rules of one algorithm, which share a paragraph's cells.
 #include "bidi_levels.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 using Class = BidiClass;
@@ -554,5 +553,4 @@ void BidiLevels::resolve(uint8_t base_level) noexcept {
   reset_spaces();
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

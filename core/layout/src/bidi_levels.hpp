@@ -7,8 +7,7 @@
 #include "bidi_class.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // What is known of a character: the cell of its first byte. The cells of other
 // bytes only say that they are such.
@@ -101,5 +100,4 @@ class BidiLevels {
   uint8_t base_level_ = 0;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

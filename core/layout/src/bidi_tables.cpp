@@ -4,8 +4,7 @@
 // 1961 bytes. Do not edit.
 // clang-format off
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 constexpr uint8_t kBidiRuns[] = {
@@ -154,5 +153,4 @@ const MirrorBlock kMirrorBlocks[] = {
 };
 const uint32_t kMirrorBlockCount = 108;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

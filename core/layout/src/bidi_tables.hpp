@@ -5,8 +5,7 @@
 
 #include "class_table.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Values of BidiClass.
 extern const ClassTable kBidiClasses;
@@ -29,5 +28,4 @@ struct MirrorBlock {
 extern const MirrorBlock kMirrorBlocks[];
 extern const uint32_t kMirrorBlockCount;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "box_lines.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 int32_t height_of(const TextBox& box) noexcept {
@@ -89,5 +88,4 @@ int32_t BoxLines::top() noexcept {
   return top_of(box_, count);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -8,8 +8,7 @@
 #include "line_cursor.hpp"
 #include "next_line.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Lines and boxes lie within this. [px, Q6]
 inline constexpr int32_t kFar = 1 << 28;
@@ -65,5 +64,4 @@ class BoxLines {
   size_t most_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

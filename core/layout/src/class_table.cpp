@@ -1,7 +1,6 @@
 #include "class_table.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 uint8_t class_of(const ClassTable& table, uint32_t code_point) noexcept {
   if (code_point >= table.end) {
@@ -40,5 +39,4 @@ uint8_t class_of(const ClassTable& table, uint32_t code_point) noexcept {
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -4,8 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A run is a byte of two fields, and up to three more.
 //   bits 5..7  class: index into `common`; 7: the class is the next byte
@@ -25,5 +24,4 @@ struct ClassTable {
 // `code_point` is at least the first one that the table describes.
 uint8_t class_of(const ClassTable& table, uint32_t code_point) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

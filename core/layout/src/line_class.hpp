@@ -6,8 +6,7 @@
 #include "inkcell/layout/line_break.hpp"
 #include "line_tables.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // As rule LB1 leaves them: ambiguous, complex-context and unknown ones are
 // alphabetic, or marks, and small kana are non-starters. The first 31 have rows
@@ -85,5 +84,4 @@ inline LineClass line_class(uint32_t code_point) noexcept {
   return (code_point - kFirst) % 28 == 0 ? LineClass::h2 : LineClass::h3;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "line_cursor.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Where the character before `at` begins, at least `begin`. A character that is
@@ -197,5 +196,4 @@ bool LineCursor::advance() noexcept {
   return true;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

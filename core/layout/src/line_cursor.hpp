@@ -6,8 +6,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "pen.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 class LineCursor {
  public:
@@ -83,5 +82,4 @@ inline PositionedGlyph positioned(const Pen& pen,
   return glyph;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

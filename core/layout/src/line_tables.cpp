@@ -4,8 +4,7 @@
 // 1850 bytes. Do not edit.
 // clang-format off
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 const uint8_t kAsciiLineClasses[128] = {
     33, 33, 33, 33, 33, 33, 33, 33, 33, 1, 37, 35, 35, 36, 33, 33,
@@ -148,5 +147,4 @@ const ClassTable kLineClasses = {
     {0, 33, 15, 5, 7, 1, 23},
     0};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,12 +5,10 @@
 
 #include "class_table.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Values of LineClass: of U+0000 to U+007F, and from U+0080 on.
 extern const uint8_t kAsciiLineClasses[128];
 extern const ClassTable kLineClasses;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,8 +6,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "pen.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Cells from an offset on, as on a line that begins there. The text must
 // outlive it.
@@ -62,5 +61,4 @@ class LineWalk {
   uint32_t at_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

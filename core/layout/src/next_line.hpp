@@ -6,8 +6,7 @@
 
 #include "setting.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Finds the order of the line's paragraph, which what follows takes for
 // granted. Returns its level.
@@ -81,5 +80,4 @@ inline bool find_next_line(const Setting& setting,
   return true;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

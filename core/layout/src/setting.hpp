@@ -5,8 +5,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "text/advances.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Refers to what it is made of. The first face has index 0.
 struct Setting {
@@ -27,5 +26,4 @@ struct Setting {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

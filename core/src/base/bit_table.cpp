@@ -3,8 +3,7 @@
 #include "base/bytes.hpp"
 #include "inkcell/format/rom.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 uint32_t read_any_bits(const Span<const uint8_t>& bytes,
                        uint32_t bit,
@@ -55,5 +54,4 @@ uint32_t BitTable::find(uint32_t begin,
   return kAbsent;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 /// The `width` bits that begin `bit` bits after the lowest of the first byte.
 /// 0 if they leave `bytes`, if those are less than four, or if the bits are
@@ -57,5 +56,4 @@ struct BitTable {
   static constexpr uint32_t kAbsent = 0xffffffff;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "inkcell/assert.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // The format keeps u16 at even and u32 at fourfold offsets, and the reader
 // checks the base, so these become single loads where the core is little
@@ -40,5 +39,4 @@ __attribute__((always_inline)) inline uint32_t load_any_u32(
          uint32_t{at[3]} << 24;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "base/crc.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 uint32_t crc32(uint32_t crc, Span<const uint8_t> bytes) noexcept {
   crc = ~crc;
   for (const uint8_t byte : bytes) {
@@ -13,5 +12,4 @@ uint32_t crc32(uint32_t crc, Span<const uint8_t> bytes) noexcept {
   return ~crc;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

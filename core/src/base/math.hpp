@@ -5,8 +5,7 @@
 
 #include "inkcell/assert.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 inline int32_t min(int32_t a, int32_t b) noexcept {
   return a < b ? a : b;
@@ -43,5 +42,4 @@ inline int32_t quotient(int32_t dividend, int32_t divisor) noexcept {
                       : static_cast<int32_t>(from / over);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Products and sums that may wrap.
 inline uint32_t times(int32_t a, uint32_t b) noexcept {
@@ -20,5 +19,4 @@ inline int32_t sum(int32_t a, int32_t b) noexcept {
   return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

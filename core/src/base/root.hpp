@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // The root rounded down, of an unsigned number of 32 or 64 bits; `rest` is what
 // its square lacks.
@@ -35,5 +34,4 @@ constexpr uint32_t nearest_root_of(uint32_t value) noexcept {
   return root + (rest > root ? 1 : 0);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

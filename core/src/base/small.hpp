@@ -1,8 +1,7 @@
 // Whether the compiler was asked for small code.
 #pragma once
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 #if defined(__OPTIMIZE_SIZE__)
 inline constexpr bool kIsSmall = true;
@@ -10,5 +9,4 @@ inline constexpr bool kIsSmall = true;
 inline constexpr bool kIsSmall = false;
 #endif
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

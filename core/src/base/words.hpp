@@ -5,8 +5,7 @@
 
 #include "inkcell/assert.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 inline uint32_t load_pixels(const uint8_t* at) noexcept {
   INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 4 == 0);
@@ -46,5 +45,4 @@ inline void clear_pixels(uint8_t* at, int32_t bytes) noexcept {
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

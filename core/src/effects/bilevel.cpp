@@ -6,8 +6,7 @@
 #include "effects/mixed_rows.hpp"
 #include "rows/crossings.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Pixels farther from the ink are never drawn. [px, Q8]
@@ -225,5 +224,4 @@ void mix_bilevel(const Effect& effect, GlyphBand& band) noexcept {
 
 const Mixer kBilevelMixer = {&kCrossingBand, plan_bilevel, mix_bilevel};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

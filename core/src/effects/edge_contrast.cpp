@@ -11,8 +11,7 @@
 #include "base/math.hpp"
 #include "effects/mixed_rows.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 void plan_contrast(const Effect&, const Style&, BandPlan& plan) noexcept {
@@ -75,5 +74,4 @@ void mix_contrast(const Effect& effect, GlyphBand& band) noexcept {
 
 const Mixer kEdgeContrastMixer = {nullptr, plan_contrast, mix_contrast};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

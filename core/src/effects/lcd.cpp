@@ -5,8 +5,7 @@
 #include "base/words.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // The mean of three to within a level, without a division.
@@ -189,5 +188,4 @@ void mix_lcd(const Effect& effect, GlyphBand& band) noexcept {
 
 const Mixer kLcdMixer = {kAreas, plan_lcd, mix_lcd};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

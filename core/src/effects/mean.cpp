@@ -3,8 +3,7 @@
 #include "base/words.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Each word of four pixels has two words of sums: of pixels 0 and 2 and of 1
@@ -47,5 +46,4 @@ void Mean::emit() const noexcept {
   band_.emit();
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "inkcell/mixer.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // For Mixer::mix, which adds pictures whose shares are 256 in sum. They
 // are those of plain drawing, so that every filter of the style counts.
@@ -35,5 +34,4 @@ class Mean {
   int32_t down_q8_ = 0;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

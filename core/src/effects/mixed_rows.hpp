@@ -7,8 +7,7 @@
 #include "rows/emit_band.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Hands the coverage of each pixel to the sink; `cover` makes it of the pixel's
 // byte in the band, which stays as it is.
@@ -30,5 +29,4 @@ void mix_rows(const GlyphBand& band, const Cover& cover) noexcept {
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 #include "base/math.hpp"
 #include "effects/mean.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 void plan_blur(const Effect& effect, const Style&, BandPlan& plan) noexcept {
@@ -44,5 +43,4 @@ void mix_blurred(const Effect& effect, GlyphBand& band) noexcept {
 
 const Mixer kMotionBlurMixer = {nullptr, plan_blur, mix_blurred};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

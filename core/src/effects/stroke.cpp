@@ -6,8 +6,7 @@
 #include "rows/emit_band.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 const StrokeAndFill& both_of(const Effect& effect) noexcept {
@@ -131,5 +130,4 @@ void mix_both(const Effect& effect, GlyphBand& band) noexcept {
 const Mixer kStrokeMixer = {kDistances, plan_stroke, mix_stroke};
 const Mixer kStrokeAndFillMixer = {kDistances, plan_both, mix_both};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

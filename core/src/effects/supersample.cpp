@@ -9,8 +9,7 @@
 #include "base/math.hpp"
 #include "effects/mean.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 struct Corners {
@@ -52,5 +51,4 @@ void mix_supersampled(const Effect& effect, GlyphBand& band) noexcept {
 
 const Mixer kSupersampleMixer = {nullptr, plan_supersampling, mix_supersampled};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

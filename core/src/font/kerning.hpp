@@ -6,8 +6,7 @@
 #include "base/bit_table.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 /// KERN as its header describes it.
 struct Kerning {
@@ -37,5 +36,4 @@ struct Kerning {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "inkcell/span.hpp"
 #include "outlines/record_bits.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Another glyph, moved and mapped:
 // x' = xx x + xy y + dx, y' = yx x + yy y + dy.
@@ -65,5 +64,4 @@ class ComponentReader {
   uint32_t bit_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -8,8 +8,7 @@
 #include "outlines/slant.hpp"
 #include "place/style_parts.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 namespace word = format::outline;
@@ -304,5 +303,4 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
   return out;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

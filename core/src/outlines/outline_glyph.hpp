@@ -13,8 +13,7 @@
 #include "outlines/screen_point.hpp"
 #include "place/position.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Where grid units lead on the screen, to the right and down. Computed modulo
 // 2^32, so that pictures do not depend on strips.
@@ -144,5 +143,4 @@ class __attribute__((may_alias)) OutlineGlyph {
   ComponentReader components_;  // of a composite that come yet
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

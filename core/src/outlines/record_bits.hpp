@@ -5,8 +5,7 @@
 
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 inline uint32_t load_big_u32(const uint8_t* at) noexcept {
   return uint32_t{at[0]} << 24 | uint32_t{at[1]} << 16 | uint32_t{at[2]} << 8 |
@@ -39,5 +38,4 @@ inline uint32_t bits_at(const Span<const uint8_t>& bytes,
          (32 - count);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "inkcell/geometry.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // What a point of an outline is to the one before it. The first three are the
 // kinds of code words (format::outline).
@@ -40,5 +39,4 @@ struct __attribute__((may_alias)) ScreenPoint {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

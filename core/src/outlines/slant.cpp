@@ -2,8 +2,7 @@
 
 #include "outlines/outline_glyph.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // A factor of at most 1 or so. [Q30]
@@ -49,5 +48,4 @@ FinePoint place_slanted(const Style& style,
 
 const Slant kSlant = {map_slanted, place_slanted};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,8 +6,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 struct OutlineMap;
 
@@ -24,5 +23,4 @@ struct Slant {
                      int64_t across_q10) noexcept;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

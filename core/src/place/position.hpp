@@ -6,8 +6,7 @@
 #include "base/modular.hpp"
 #include "inkcell/geometry.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Where a glyph stands: an origin that is near enough to show something.
 // Windows lie within 2^15 px, and no glyph reaches farther than 2^16 px. [Q10]
@@ -38,5 +37,4 @@ struct Placed {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

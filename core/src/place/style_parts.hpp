@@ -6,8 +6,7 @@
 #include "inkcell/assert.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 struct StyleParts {
   // What the filter takes of a band. Null, also if all bytes of the style are
@@ -34,5 +33,4 @@ struct StyleParts {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

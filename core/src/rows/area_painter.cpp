@@ -24,8 +24,7 @@
 #include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 constexpr int32_t kFull = 240;
@@ -424,5 +423,4 @@ void paint_areas(const Band& band,
                 painter);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

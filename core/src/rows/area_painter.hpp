@@ -3,8 +3,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Paints points into a band; pixels begin at whole numbers. Bytes are explained
 // in area_painter.cpp; a row becomes coverage by cover_areas().
@@ -13,5 +12,4 @@ void paint_areas(const Band& band,
                  const ScreenPoint* points,
                  const ScreenPoint* end) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

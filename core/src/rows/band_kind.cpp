@@ -12,8 +12,7 @@
 
 #include "rows/emit_band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 __attribute__((weak)) PaintPoints paint_areas;
 __attribute__((weak)) PaintPoints paint_crossings;
@@ -31,5 +30,4 @@ const BandKind kAreaBand = {paint_areas, cover_areas, BandBytes::area, false,
 const BandKind kCrossingBand = {paint_crossings, nullptr, BandBytes::crossings,
                                 false, 0};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "outlines/screen_point.hpp"
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // What the bytes of a painted band are.
 enum class BandBytes : uint8_t {
@@ -45,5 +44,4 @@ struct BandKind {
 
 extern const BandKind kCrossingBand;  // only a mixer can name it
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Shows a visitor the edges that points lead to, relative to the band. Points
 // come in portions: `edge`, three points, and `is_bent` stay from one to the
@@ -68,5 +67,4 @@ inline void walk_contours(const Band& band,
   is_bent_before = is_bent;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

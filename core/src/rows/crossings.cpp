@@ -2,8 +2,7 @@
 
 #include "rows/wide_contours.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 struct Crossings {
@@ -24,5 +23,4 @@ void paint_crossings(const Band& band,
   wide::paint_points<Crossings>(band, cursor, points, end);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Bytes of a band: the lowest bit toggles from outside to inside and back; the
 // next two say whether the outline crosses the straight line from the centre of
@@ -22,5 +21,4 @@ void paint_crossings(const Band& band,
                      const ScreenPoint* points,
                      const ScreenPoint* end) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

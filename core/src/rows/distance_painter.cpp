@@ -18,8 +18,7 @@
 #include "rows/edge_rows.hpp"
 #include "rows/reciprocal.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // The pixel nearest to a vertex: no other one lies within half a pixel.
@@ -216,5 +215,4 @@ void paint_distances(const Band& band,
   walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Paints points into a band; centres of pixels lie at whole numbers. Bytes are
 // explained in distance_painter.cpp; a row becomes coverage by cover_linear().
@@ -13,5 +12,4 @@ void paint_distances(const Band& band,
                      const ScreenPoint* points,
                      const ScreenPoint* end) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

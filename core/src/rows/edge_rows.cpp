@@ -20,8 +20,7 @@
 #include "base/small.hpp"
 #include "rows/reciprocal.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // A tip is a row at most kBeyondEnd beyond an end that is steeper than
@@ -454,5 +453,4 @@ bool paint_edge(const Band& band,
   return true;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 inline void approach(uint8_t* pixel, int32_t nearness) noexcept {
   const int32_t old = *pixel;
@@ -22,5 +21,4 @@ bool paint_edge(const Band& band,
                 const PixelPoint* points,
                 bool is_bent) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "inkcell/ramp.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 constexpr uint32_t kEvenBytes = 0x00ff00ff;
@@ -222,5 +221,4 @@ void emit_band(GlyphJob& job) noexcept {
   emit(sink, pixels, band.bytes + job.column, band.stride);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

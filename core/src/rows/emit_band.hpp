@@ -7,8 +7,7 @@
 #include "inkcell/strip.hpp"
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 struct GlyphJob;
 
@@ -47,5 +46,4 @@ void emit_rgb(const Sink& sink,
               const uint8_t* coverage,
               int32_t stride) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -2,8 +2,7 @@
 
 #if defined(__ARM_ARCH_6M__)
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // 2^25 / d - 256, to the nearest, in the middle of each 64th of [2^16, 2^17).
@@ -53,7 +52,6 @@ Reciprocal reciprocal_of(uint32_t d) noexcept {
   return {static_cast<int32_t>(value), shift};
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail
 
 #endif

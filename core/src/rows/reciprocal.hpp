@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // 2^16 / d as value / 2^shift, value below 2^16: rounded down, so that products
 // are up to 2^-15 of themselves too small. The same on every core.
@@ -55,5 +54,4 @@ inline int32_t times(int32_t a, const Reciprocal& over_d) noexcept {
   return a * over_d.value >> over_d.shift;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -24,9 +24,7 @@
 #include "rows/band.hpp"
 #include "rows/reciprocal.hpp"
 
-namespace inkcell {
-namespace detail {
-namespace wide {
+namespace inkcell::detail::wide {
 
 // Longer chords are cut. [px, Q8]
 inline constexpr int32_t kChordLimit = kLengthLimit / 2;
@@ -312,6 +310,4 @@ void paint_chord(const Band& band,
   }
 }
 
-}  // namespace wide
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail::wide

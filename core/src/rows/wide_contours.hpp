@@ -7,9 +7,7 @@
 #include "rows/reciprocal.hpp"
 #include "rows/wide_chord.hpp"
 
-namespace inkcell {
-namespace detail {
-namespace wide {
+namespace inkcell::detail::wide {
 
 // Chords stray no farther from a curve. [px, Q8]
 inline constexpr int32_t kTolerance = 12;
@@ -180,6 +178,4 @@ void paint_points(const Band& band,
   walk_contours(band, cursor.edge(), cursor.is_bent, points, end, painter);
 }
 
-}  // namespace wide
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail::wide

@@ -2,8 +2,7 @@
 
 #include "rows/wide_contours.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // The lowest bit toggles from outside to inside and back.
@@ -23,5 +22,4 @@ void paint_wide_distances(const Band& band,
   wide::paint_points<Toggles>(band, cursor, points, end);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // As paint_distances, with band.reach_q8 instead of half a pixel: for filters
 // with wide ramps, weights, strokes and glows.
@@ -13,5 +12,4 @@ void paint_wide_distances(const Band& band,
                           const ScreenPoint* points,
                           const ScreenPoint* end) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

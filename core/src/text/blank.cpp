@@ -1,7 +1,6 @@
 #include "text/blank.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // Three bytes each: what a program keeps of this table, it keeps of every text.
@@ -90,5 +89,4 @@ Shown shown_as(uint32_t code_point) noexcept {
   return Shown::glyph;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 enum class Shown : uint8_t {
   glyph,
@@ -20,5 +19,4 @@ enum class Shown : uint8_t {
 // be 500 bytes in every program.
 Shown shown_as(uint32_t code_point) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -7,8 +7,7 @@
 #include "place/position.hpp"
 #include "text/text_place.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Room for a style that a painter adapts to its canvas.
 union StyleRoom {
@@ -116,5 +115,4 @@ inline Placed at_phase(Placed placed, uint32_t phase_shift) noexcept {
 // The box of a glyph, at that place.
 Rect box_of(const GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

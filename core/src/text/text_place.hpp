@@ -12,8 +12,7 @@
 #include "place/style_parts.hpp"
 #include "text/advances.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // What a run's font units are in px: computed once, because it takes a
 // division. [px per unit, Q10 with 20 more bits]
@@ -89,5 +88,4 @@ inline Q26_6 whole_px(Q26_6 x) noexcept {
   return Q26_6::from_raw(static_cast<int32_t>(sum & ~uint32_t{63}));
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

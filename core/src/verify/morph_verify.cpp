@@ -6,8 +6,7 @@
 #include "inkcell/format/rom.hpp"
 #include "outlines/record_bits.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 namespace morphs = format::morphs;
@@ -123,5 +122,4 @@ bool morphs_fit(const Span<const uint8_t>& section,
   return true;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -5,8 +5,7 @@
 
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 /// Whether pairs ascend and name glyphs that exist, a glyph has one second
 /// master at most, and no record makes more points than the section says. An
@@ -14,5 +13,4 @@ namespace detail {
 bool morphs_fit(const Span<const uint8_t>& section,
                 uint32_t glyph_count) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,8 +6,7 @@
 #include "outlines/outline_glyph.hpp"
 #include "outlines/record_bits.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 namespace word = format::outline;
@@ -109,5 +108,4 @@ bool outline_fits(const Font& font,
   return points != 0 && points <= coding.max_points;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 
 #include "inkcell/font.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Whether the code words make sense (docs/FORMAT.md, rule 16).
 bool code_fits(const OutlineCoding& coding) noexcept;
@@ -17,5 +16,4 @@ bool outline_fits(const Font& font,
                   const OutlineCoding& coding,
                   uint32_t& bits) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -8,8 +8,7 @@
 #include "inkcell/version.hpp"
 #include "stored_source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 namespace paged = format::paged;
@@ -377,5 +376,4 @@ Status StoredStore::verify() noexcept {
              : fail(Status::corrupt);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -10,8 +10,7 @@
 
 #include "inkcell/stored/stored_font.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 class __attribute__((may_alias)) StoredStore : public FontPages {
  public:
@@ -98,5 +97,4 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   Status status_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -6,9 +6,7 @@
 
 #include "inkcell/cpp17.hpp"
 
-namespace inkcell {
-namespace format {
-namespace paged {
+namespace inkcell::format::paged {
 
 inline constexpr uint32_t kMagic = 0x504b4e49;  // "INKP"
 
@@ -52,6 +50,4 @@ inline constexpr uint32_t kRecords = 6;     // u16
 inline constexpr uint32_t kBytes = 8;
 }  // namespace trailer
 
-}  // namespace paged
-}  // namespace format
-}  // namespace inkcell
+}  // namespace inkcell::format::paged

@@ -8,8 +8,7 @@
 
 #include "inkcell/cpp17.hpp"
 
-namespace inkcell {
-namespace format {
+namespace inkcell::format {
 
 constexpr uint32_t tag(char a, char b, char c, char d) noexcept {
   return static_cast<uint32_t>(static_cast<uint8_t>(a)) |
@@ -346,5 +345,4 @@ inline constexpr int kCentreFraction = 6;
 inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 }  // namespace samples
 
-}  // namespace format
-}  // namespace inkcell
+}  // namespace inkcell::format

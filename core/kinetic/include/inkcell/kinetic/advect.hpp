@@ -14,8 +14,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A vortex: points at the distance r from its centre turn by strength / (r^2 +
 /// core^2) a step, r and core in samples. The flow is free of divergence: areas
@@ -46,5 +45,4 @@ void advect(const DistanceGrid& grid,
             const Flow& flow,
             DistanceGrid& out) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

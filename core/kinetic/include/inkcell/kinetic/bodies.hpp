@@ -18,8 +18,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// The speed limit of all points of a body. [px a step]
 inline constexpr int32_t kMostBodySpeed = 16;
@@ -130,5 +129,4 @@ bool are_asleep(Span<const Body> bodies) noexcept;
 /// The pixels that a body may touch. [px on the screen]
 Rect box_of(const Body& body) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

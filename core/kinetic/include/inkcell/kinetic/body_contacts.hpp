@@ -7,8 +7,7 @@
 #include "inkcell/kinetic/bodies.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Bodies nearer than this touch. [px, Q10]
 inline constexpr int32_t kTouchQ10 = 256;
@@ -104,5 +103,4 @@ size_t find_contacts(Span<Body> bodies,
                      int32_t still_q16,
                      Span<BodyContact> contacts) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -9,8 +9,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Draws body `index`. Soft bodies deform each other (Cani 1998; the paper,
 /// figure 13): a pixel in two bodies belongs to the one in which it is deeper,
@@ -28,5 +27,4 @@ void draw_body(Span<const Body> bodies,
                const Filter& filter,
                const Sink& sink) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -15,8 +15,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A point on the edge, relative to the centre of mass. [1/32 px, y down]
 struct BodyPoint {
@@ -93,5 +92,4 @@ class BodyShape {
   size_t corner_count_ = 0;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

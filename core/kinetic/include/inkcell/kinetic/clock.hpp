@@ -11,8 +11,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// What a clock counts, and shows last: HH:MM or HH:MM:SS.
 enum class ClockUnit : uint8_t { minutes, seconds };
@@ -64,5 +63,4 @@ class Clock {
   ClockUnit unit_;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -21,8 +21,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// How a part changes the shape made by the parts before it.
 enum class Combine : uint8_t {
@@ -59,5 +58,4 @@ void draw_combined(Span<const GridPart> parts,
 /// The pixels that the shape may touch with `filter`.
 Rect combined_box(Span<const GridPart> parts, const Filter& filter) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

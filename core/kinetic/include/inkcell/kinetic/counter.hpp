@@ -12,8 +12,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A number whose wheels roll, as those of an odometer do: a wheel turns while
 /// the one to its right goes from 9 to 0. Leading zeros are blank.
@@ -61,5 +60,4 @@ class Counter {
   int64_t value_q16_ = -1;  // -1: at() was not called
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -10,8 +10,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Cells of digits, one beside the other. Made by measure_digits().
 struct DigitCells {
@@ -42,5 +41,4 @@ Rect cells_box(const DigitCells& cells,
                int32_t first,
                int32_t last) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -22,8 +22,7 @@
 #include "inkcell/strip.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Coverage as distance: 128 at the edge, 32 more for each px inside.
 extern const Filter kFilterDistance;
@@ -114,5 +113,4 @@ struct GridPoint {
 /// About 60 instructions. Outside of the grid: far outside, gradient 0.
 GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 
 #include "inkcell/fixed.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A map of progress to progress. Made by the functions below.
 struct Easing {
@@ -65,5 +64,4 @@ inline constexpr Easing kBounce = {Easing::Kind::bounce, 0, 0, 0, 0, 0};
 /// ends after 16 steps whatever the numbers.
 Q16_16 ease(const Easing& easing, Q16_16 progress) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

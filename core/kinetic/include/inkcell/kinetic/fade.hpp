@@ -6,8 +6,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Multiplies coverage by opacity / 255, rounded to the nearest.
 struct Fade {
@@ -37,5 +36,4 @@ struct SoftWindow {
 /// are drawn in grey.
 Sink make_sink(const SoftWindow& soft) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -6,8 +6,7 @@
 #include "inkcell/fixed.hpp"
 #include "inkcell/kinetic/distance_grid.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A shape between two others, from their distances a and b:
 ///
@@ -52,5 +51,4 @@ Fixed<int32_t, 13> cutoff_for(const DistanceGrid& grid,
                               int32_t area,
                               GridHistogram& scratch) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

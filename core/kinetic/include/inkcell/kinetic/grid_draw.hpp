@@ -8,8 +8,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// How a grid is drawn.
 struct GridLook {
@@ -39,5 +38,4 @@ void draw_offset(const DistanceGrid& grid,
                  const Filter& filter,
                  const Sink& sink) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

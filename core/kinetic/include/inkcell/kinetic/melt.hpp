@@ -18,8 +18,7 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// How a shape melts.
 struct Melting {
@@ -45,5 +44,4 @@ void freeze(DistanceGrid& grid,
             const DistanceGrid& target,
             int32_t most) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -22,8 +22,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// The box in which a morph draws. [px]
 struct MorphBox {
@@ -113,5 +112,4 @@ class GlyphMorph {
   uint16_t to_ = kNone;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -11,8 +11,7 @@
 #include "inkcell/kinetic/timeline.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Three keys: from rest to a pose and back. For LetterMotion.
 struct PoseThere {
@@ -81,5 +80,4 @@ class MovingLetters {
   bool is_drawn_ = false;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

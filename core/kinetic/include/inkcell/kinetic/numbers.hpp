@@ -6,8 +6,7 @@
 #include "inkcell/fixed.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A part of a turn, counter-clockwise on the screen, 0 to 65535 / 65536. Sums
 /// wrap.
@@ -62,5 +61,4 @@ class RandomNumbers {
   uint32_t state_;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -9,8 +9,7 @@
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// The place that a particle is pulled to. [1/16 px, y down]
 struct ParticleHome {
@@ -45,5 +44,4 @@ bool find_edge(const DistanceGrid& grid,
                RandomNumbers& random,
                Particle& out) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

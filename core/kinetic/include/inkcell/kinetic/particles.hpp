@@ -15,8 +15,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// 12 bytes. Position in px on the screen, y down.
 struct Particle {
@@ -61,5 +60,4 @@ void step(Span<Particle> particles,
 /// Whether no particle moves.
 bool are_at_rest(Span<const Particle> particles) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

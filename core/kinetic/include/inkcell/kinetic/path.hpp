@@ -19,8 +19,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A point of a path. [px, Q16.16, y down]
 struct PathPoint {
@@ -136,5 +135,4 @@ Rect draw_on_circle(const Painter& painter,
                     const TextCircle& circle,
                     Text text) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -10,8 +10,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A scale: -8 to 8, resolution 1/4096.
 using Scale = Fixed<int16_t, 12>;
@@ -70,5 +69,4 @@ inline bool operator!=(const PosedGlyph& a, const PosedGlyph& b) noexcept {
   return !(a == b);
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

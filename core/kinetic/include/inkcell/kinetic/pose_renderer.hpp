@@ -18,8 +18,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Draws glyphs of one font and size. 400 bytes, in the caller's memory; all
 /// that it refers to must outlive it. Not thread-safe: each task needs its own.
@@ -71,5 +70,4 @@ class PoseRenderer {
   Style style_;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

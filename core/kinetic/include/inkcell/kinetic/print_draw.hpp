@@ -18,8 +18,7 @@
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// How a tone becomes ink.
 enum class PrintStyle : uint8_t {
@@ -61,5 +60,4 @@ void draw_print(const DistanceGrid& grid,
                 const Filter& filter,
                 const Sink& sink) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 
 #include "inkcell/kinetic/distance_grid.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Fills `out` with distances to the grid's edge: the slope becomes 1 and the
 /// edge stays. Both grids have the same size and share no memory. Fast sweeping
@@ -22,5 +21,4 @@ void redistance(const DistanceGrid& grid,
                 int32_t first_row = 0,
                 int32_t end_row = DistanceGrid::kMaxSide) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -11,8 +11,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A glyph with ink. [font units, y up, from the run's origin on the baseline
 /// of the first line]
@@ -93,5 +92,4 @@ Q16_16 pivot_height_px(Q26_6 size, int16_t height) noexcept;
 /// size to 0..kMaxSize.
 Q16_16 to_px_q16(const Font& font, Q26_6 size, int32_t units) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -5,8 +5,7 @@
 
 #include "inkcell/fixed.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A spring that is released at 0 and settles at 1:
 ///
@@ -32,5 +31,4 @@ constexpr int32_t rest_ms(const Spring& spring) noexcept {
 /// rest_ms() on.
 Q16_16 spring_at(const Spring& spring, int32_t time_ms) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -11,8 +11,7 @@
 #include "inkcell/kinetic/easing.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// No further changes. [ms]
 inline constexpr int32_t kNever = INT32_MAX;
@@ -78,5 +77,4 @@ int32_t delay_of(const Stagger& stagger, size_t index, size_t count) noexcept;
 /// The longest delay of any unit. [ms]
 int32_t longest_delay(const Stagger& stagger, size_t count) noexcept;
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

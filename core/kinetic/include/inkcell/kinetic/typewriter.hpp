@@ -10,8 +10,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Text that is typed letter by letter, with a caret that blinks at rest.
 class Typewriter {
@@ -48,5 +47,4 @@ class Typewriter {
   bool is_caret_on_ = false;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

@@ -11,8 +11,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// When letters pulse: each a little later than another.
 struct PulseMotion {
@@ -51,5 +50,4 @@ class WeightPulse {
   bool is_drawn_ = false;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

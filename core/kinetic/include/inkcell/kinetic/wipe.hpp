@@ -10,8 +10,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// A line that a soft edge reveals, or hides, from left to right.
 class Wipe {
@@ -48,5 +47,4 @@ class Wipe {
   Rect box_;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic
