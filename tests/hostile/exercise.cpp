@@ -227,11 +227,12 @@ void use_text(const Font& font, Text text, const Style& style, Point origin) {
   require(line.advance >= -(1 << 24) && line.advance <= 1 << 24, "advance");
   std::array<PositionedGlyph, 64> buffer;
   Span<const PositionedGlyph> run;
-  require(text.size <= buffer.size() &&
-              lay_out(font, text, {buffer.data(), buffer.size()}, run) ==
-                  Status::ok &&
-              run.size <= text.size,
-          "layout");
+  require(
+      text.size <= buffer.size() &&
+          Painter().lay_out(font, Style(), text, {buffer.data(), buffer.size()},
+                            run) == Status::ok &&
+          run.size <= text.size,
+      "layout");
   Canvas whole({0, 0, kWidth, kHeight});
   Canvas parts({0, 0, kWidth, kHeight});
   for (const PositionedGlyph& glyph : run) {

@@ -154,7 +154,7 @@ TEST(run_is_what_its_layout_draws) {
       Painter(by_run.sink()).text(font, style, kOrigin, *run);
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
-      CHECK_OK(lay_out(*run, room, glyphs));
+      CHECK_OK(Painter().lay_out(font, Style(), *run, room, glyphs));
       CHECK_EQ(glyphs.size, run->glyphs.size);
       Painter(by_layout.sink()).glyphs(font, style, kOrigin, glyphs);
       CHECK(by_run == by_layout);
@@ -163,13 +163,16 @@ TEST(run_is_what_its_layout_draws) {
 }
 
 TEST(layout_needs_room_for_all_glyphs) {
+  const Font font = open();
   const ShapedRun& run = fonts::labels_strings::title;
   PositionedGlyph room[32];
   Span<const PositionedGlyph> glyphs;
-  CHECK_EQ(lay_out(run, {room, run.glyphs.size - 1}, glyphs),
+  CHECK_EQ(Painter().lay_out(font, Style(), run, {room, run.glyphs.size - 1},
+                             glyphs),
            Status::buffer_small);
   CHECK_EQ(glyphs.size, 0);
-  CHECK_OK(lay_out(run, {room, run.glyphs.size}, glyphs));
+  CHECK_OK(
+      Painter().lay_out(font, Style(), run, {room, run.glyphs.size}, glyphs));
   CHECK_EQ(glyphs.size, run.glyphs.size);
 }
 
@@ -178,9 +181,9 @@ TEST(measure_has_the_ink) {
   const Font font = open();
   const Style style = style_of(32);
   for (const ShapedRun* run : kRuns) {
-    const TextMeasure box = measure(font, *run);
-    CHECK_EQ(box.advance, run->advance);
-    CHECK(box.x_max > box.x_min && box.y_max > box.y_min);
+    const PixelMeasure box = Painter().measure(font, style, *run);
+    CHECK_EQ(box.advance.raw, to_px(font, style, run->advance).raw);
+    CHECK(box.right.raw > box.left.raw && box.bottom.raw > box.top.raw);
     static Page page;
     page = Page();
     Painter(page.sink()).text(font, style, kOrigin, *run);
@@ -198,14 +201,14 @@ TEST(measure_has_the_ink) {
         }
       }
     }
-    const auto near = [](int32_t px, int32_t units) {
-      const int32_t apart = 64 * px - units;
+    const auto near = [](int32_t px, Q26_6 length) {
+      const int32_t apart = 64 * px - length.raw;
       return apart >= -128 && apart <= 128;
     };
-    CHECK(near(left - 4, box.x_min));
-    CHECK(near(right - 4, box.x_max));
-    CHECK(near(28 - top, box.y_max));
-    CHECK(near(28 - bottom, box.y_min));
+    CHECK(near(left - 4, box.left));
+    CHECK(near(right - 4, box.right));
+    CHECK(near(top - 28, box.top));
+    CHECK(near(bottom - 28, box.bottom));
   }
 }
 
@@ -244,7 +247,7 @@ TEST(fitted_glyphs_stand_on_whole_pixels) {
       CHECK_OK(Painter().lay_out(font, fitted.style, *run, room, glyphs));
       PositionedGlyph designed[32];
       Span<const PositionedGlyph> as_designed;
-      CHECK_OK(lay_out(*run, designed, as_designed));
+      CHECK_OK(Painter().lay_out(font, Style(), *run, designed, as_designed));
       for (size_t i = 0; i < glyphs.size; ++i) {
         const int32_t x_q6 = to_px(font, fitted.style, glyphs[i].x).raw;
         const int32_t off_q6 = ((x_q6 + 32) & 63) - 32;
@@ -267,14 +270,14 @@ TEST(styles_that_are_not_fitted_keep_the_design) {
   const Font font = open();
   const Style style = style_of(11);
   for (const ShapedRun* run : kRuns) {
-    PositionedGlyph by_style[32];
-    PositionedGlyph designed[32];
+    PositionedGlyph room[32];
     Span<const PositionedGlyph> glyphs;
-    Span<const PositionedGlyph> as_designed;
-    CHECK_OK(Painter().lay_out(font, style, *run, by_style, glyphs));
-    CHECK_OK(lay_out(*run, designed, as_designed));
+    CHECK_OK(Painter().lay_out(font, style, *run, room, glyphs));
+    int32_t designed = 0;
     for (size_t i = 0; i < glyphs.size; ++i) {
-      CHECK_EQ(glyphs[i].x, as_designed[i].x);
+      designed += run->glyphs[i].x;
+      CHECK_EQ(glyphs[i].x, designed);
+      CHECK_EQ(glyphs[i].y, run->glyphs[i].y);
     }
     CHECK_EQ(Painter().measure(font, style, *run).advance.raw,
              to_px(font, style, run->advance).raw);
@@ -285,10 +288,12 @@ TEST(blanks_have_an_advance_and_no_glyphs) {
   const ShapedRun& blank = fonts::labels_strings::blank;
   CHECK_EQ(blank.glyphs.size, 0);
   CHECK(blank.advance > 0);
-  const TextMeasure box = measure(open(), blank);
-  CHECK_EQ(box.advance, blank.advance);
-  CHECK_EQ(box.x_max, 0);
-  CHECK_EQ(box.y_min, 0);
+  const Font font = open();
+  const Style style = style_of(32);
+  const PixelMeasure box = Painter().measure(font, style, blank);
+  CHECK_EQ(box.advance.raw, to_px(font, style, blank.advance).raw);
+  CHECK_EQ(box.right.raw, 0);
+  CHECK_EQ(box.bottom.raw, 0);
 }
 
 TEST(title_is_centred) {
@@ -322,9 +327,11 @@ TEST(any_numbers_are_safe) {
   Painter(page.sink()).text(font, style_of(12), kOrigin, run);
   static PositionedGlyph room[600];
   Span<const PositionedGlyph> placed;
-  CHECK_OK(lay_out(run, room, placed));
+  CHECK_OK(Painter().lay_out(font, Style(), run, room, placed));
   CHECK_EQ(placed[599].x, 1 << 24);
-  CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
+  // A 64th of a pixel is a font unit.
+  CHECK_EQ(font.units_per_em(), 2048);
+  CHECK(Painter().measure(font, style_of(32), run).right.raw <= 1 << 24);
   const FittedStyle fitted(font, 40);
   Painter(page.sink()).text(font, fitted.style, kOrigin, run);
   CHECK(Painter().measure(font, fitted.style, run).right.raw > 0);

@@ -223,7 +223,7 @@ TEST(boxes_of_glyphs_and_runs_are_those_of_their_text) {
   const Rect box = painter.box(font, style, origin, "AD");
   PositionedGlyph room[2];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(lay_out(font, "AD", room, glyphs));
+  CHECK_OK(Painter().lay_out(font, Style(), "AD", room, glyphs));
   CHECK(is_same(painter.box(font, style, origin, glyphs), box));
   room[1].face = 1;
   const Face face = {&font, &style};

@@ -214,7 +214,7 @@ TEST(lays_out_and_kerns) {
   const Font font = sample();
   PositionedGlyph buffer[8];
   Span<const PositionedGlyph> run;
-  CHECK_OK(lay_out(font, "AB AC", buffer, run));
+  CHECK_OK(Painter().lay_out(font, Style(), "AB AC", buffer, run));
   const int32_t expected_x[] = {0, 650, 1350, 1650, 2400};
   const uint16_t expected_glyph[] = {2, 3, 1, 2, 4};
   CHECK_EQ(run.size, 5);
@@ -230,7 +230,8 @@ TEST(absent_code_points_become_notdef) {
   const Font font = sample();
   PositionedGlyph buffer[4];
   Span<const PositionedGlyph> run;
-  CHECK_OK(lay_out(font, "a\xff\xf0\x9f\x98\x80", buffer, run));
+  CHECK_OK(
+      Painter().lay_out(font, Style(), "a\xff\xf0\x9f\x98\x80", buffer, run));
   CHECK_EQ(run.size, 3);
   CHECK_EQ(run[0].glyph, 0);
   CHECK_EQ(run[1].glyph, 0);
@@ -259,7 +260,7 @@ TEST(blanks_never_become_notdef) {
   PositionedGlyph buffer[3];
   Span<const PositionedGlyph> run;
   for (const Text& text : nothing) {
-    CHECK_OK(lay_out(font, text, buffer, run));
+    CHECK_OK(Painter().lay_out(font, Style(), text, buffer, run));
     CHECK_EQ(run.size, 2);
     CHECK_EQ(run[1].glyph, 3);
     CHECK_EQ(run[1].x, 650);
@@ -269,7 +270,7 @@ TEST(blanks_never_become_notdef) {
                          "A\xc2\xa0"
                          "B"};
   for (const Text& text : spaces) {
-    CHECK_OK(lay_out(font, text, buffer, run));
+    CHECK_OK(Painter().lay_out(font, Style(), text, buffer, run));
     CHECK_EQ(run.size, 3);
     CHECK_EQ(run[1].glyph, 1);
     CHECK_EQ(run[2].x, 750 + 300);
@@ -308,7 +309,7 @@ TEST(marks_never_become_notdef) {
     char text[8] = {'A'};
     const size_t size = 1 + encode(mark, text + 1);
     text[size] = 'B';
-    CHECK_OK(lay_out(font, {text, size + 1}, buffer, run));
+    CHECK_OK(Painter().lay_out(font, Style(), {text, size + 1}, buffer, run));
     CHECK_EQ(run.size, 2);
     CHECK_EQ(run[1].x, 750);
   }
@@ -316,7 +317,8 @@ TEST(marks_never_become_notdef) {
   const uint32_t others[] = {0x2ff, 0x370, 0x5be, 0x5c0, 0x5d0, 0x6dd, 0xe32};
   for (const uint32_t other : others) {
     char text[4] = {};
-    CHECK_OK(lay_out(font, {text, encode(other, text)}, buffer, run));
+    CHECK_OK(Painter().lay_out(font, Style(), {text, encode(other, text)},
+                               buffer, run));
     CHECK_EQ(run.size, 1);
     CHECK_EQ(run[0].glyph, 0);
   }
@@ -332,7 +334,7 @@ TEST(notdef_kerns_like_any_glyph) {
   CHECK_EQ(font.kerning(0, 3), -100);
   PositionedGlyph buffer[2];
   Span<const PositionedGlyph> run;
-  CHECK_OK(lay_out(font, "aB", buffer, run));
+  CHECK_OK(Painter().lay_out(font, Style(), "aB", buffer, run));
   CHECK_EQ(run[1].glyph, 3);
   CHECK_EQ(run[1].x, 600 - 100);
 }
@@ -342,14 +344,16 @@ TEST(layout_needs_room) {
   PositionedGlyph buffer[3];
   buffer[2].glyph = 77;
   Span<const PositionedGlyph> run(buffer + 1, 1);
-  CHECK_EQ(lay_out(font, "ABC", {buffer, 2}, run), Status::buffer_small);
+  CHECK_EQ(Painter().lay_out(font, Style(), "ABC", {buffer, 2}, run),
+           Status::buffer_small);
   CHECK_EQ(run.size, 1);  // untouched
   CHECK_EQ(buffer[2].glyph, 77);
-  CHECK_OK(lay_out(font, "ABC", buffer, run));
+  CHECK_OK(Painter().lay_out(font, Style(), "ABC", buffer, run));
   CHECK_EQ(run.size, 3);
-  CHECK_OK(lay_out(font, "", {}, run));
+  CHECK_OK(Painter().lay_out(font, Style(), "", {}, run));
   CHECK_EQ(run.size, 0);
-  CHECK_EQ(lay_out(font, "A", {}, run), Status::buffer_small);
+  CHECK_EQ(Painter().lay_out(font, Style(), "A", {}, run),
+           Status::buffer_small);
 }
 
 TEST(measures_lines) {
@@ -511,7 +515,7 @@ TEST(a_run_is_its_glyphs) {
   const Style style = style_of(20);
   PositionedGlyph buffer[8];
   Span<const PositionedGlyph> run;
-  CHECK_OK(lay_out(font, "AB C", buffer, run));
+  CHECK_OK(Painter().lay_out(font, Style(), "AB C", buffer, run));
   Ink whole;
   Painter(whole.sink()).glyphs(font, style, at(3, 40), run);
   Ink streamed;

@@ -9,10 +9,7 @@
 
 #include <stdint.h>
 
-#include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/style.hpp"
-#include "inkcell/text.hpp"
 
 namespace inkcell {
 
@@ -29,17 +26,5 @@ struct ShapedRun {
   Span<const ShapedGlyph> glyphs;
   int32_t advance = 0;  // [font units]; to_px() gives px
 };
-
-/// Positions of all glyphs of a run as designed, for Painter::glyphs() and
-/// others. Offsets are 0, as is the face. Positions are clamped to +-2^24 font
-/// units.
-///
-/// buffer_small: `out` has less than run.glyphs.size; `glyphs` is untouched.
-Status lay_out(const ShapedRun& run,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept;
-
-/// Width and ink of a run as designed in font units, y up, from its origin.
-TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;
 
 }  // namespace inkcell

@@ -124,17 +124,6 @@ class TextCursor {
 /// What of a line stands at its origin.
 enum class Anchor : uint8_t { left, centre, right };
 
-/// Positions of all glyphs of one line, as designed. `out` holds at most
-/// text.size glyphs, which always suffice; `glyphs` is the part of it that was
-/// filled.
-///
-/// buffer_small: `out` was too short; bad_argument: the text is longer than
-/// kMaxLineBytes. `glyphs` is then untouched.
-Status lay_out(const Font& font,
-               Text text,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept;
-
 /// Width and ink of a line in font units, y up, from its origin.
 struct TextMeasure {
   int32_t advance = 0;
@@ -144,16 +133,11 @@ struct TextMeasure {
   int32_t y_max = 0;
 };
 
-TextMeasure measure(const Font& font, Text text) noexcept;
-
-namespace detail {
-// The same of what is left of a line; `bytes`: of the text.
-Status lay_out(TextCursor cursor,
-               size_t bytes,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept;
+/// Of what a cursor has left, and of a text as designed.
 TextMeasure measure(const Font& font, TextCursor cursor) noexcept;
-}  // namespace detail
+inline TextMeasure measure(const Font& font, Text text) noexcept {
+  return measure(font, TextCursor(font, text));
+}
 
 /// A length in font units at a style's size, rounded to the nearest 1/64 px and
 /// clamped to the range of Q26_6.

@@ -124,10 +124,9 @@ PixelMeasure Painter::measure(const Font& font,
                               const Style& style,
                               Text text) const noexcept {
   detail::StyleRoom room;
-  return to_px(
-      font, style,
-      detail::measure(
-          font, TextCursor(font, text, adapted(style, room.style()), report_)));
+  return to_px(font, style,
+               inkcell::measure(
+                   font, {font, text, adapted(style, room.style()), report_}));
 }
 
 Status Painter::lay_out(const Font& font,
@@ -135,10 +134,21 @@ Status Painter::lay_out(const Font& font,
                         Text text,
                         Span<PositionedGlyph> out,
                         Span<const PositionedGlyph>& glyphs) const noexcept {
+  if (text.size > kMaxLineBytes) {
+    return Status::bad_argument;
+  }
   detail::StyleRoom room;
-  return detail::lay_out(
-      TextCursor(font, text, adapted(style, room.style()), report_), text.size,
-      out, glyphs);
+  TextCursor cursor(font, text, adapted(style, room.style()), report_);
+  PositionedGlyph at;
+  size_t count = 0;
+  while (cursor.next(at)) {
+    if (count == out.size) {
+      return Status::buffer_small;
+    }
+    out[count++] = at;
+  }
+  glyphs = {out.data, count};
+  return Status::ok;
 }
 
 Rect Painter::glyph_box(const Font& font,

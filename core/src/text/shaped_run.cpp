@@ -15,9 +15,7 @@ using detail::kMaxUnits;
 // Walks a run from the left. `font` and the style must outlive it.
 class RunCursor {
  public:
-  // As designed.
-  RunCursor() noexcept = default;
-  // With the advances of a style.
+  // With the advances of the style.
   RunCursor(const Font& font, const Style& style) noexcept {
     if (style.has_whole_advances()) {
       font_ = &font;
@@ -128,16 +126,6 @@ TextMeasure measure_run(const Font& font,
 }
 
 }  // namespace
-
-Status lay_out(const ShapedRun& run,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
-  return place_run(RunCursor(), run, out, glyphs);
-}
-
-TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
-  return measure_run(font, RunCursor(), run);
-}
 
 // Here, so that text without runs does not link their cursor.
 void Painter::text(const Font& font,

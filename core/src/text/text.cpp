@@ -153,26 +153,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   return false;
 }
 
-Status detail::lay_out(TextCursor cursor,
-                       size_t bytes,
-                       Span<PositionedGlyph> out,
-                       Span<const PositionedGlyph>& glyphs) noexcept {
-  if (bytes > kMaxLineBytes) {
-    return Status::bad_argument;
-  }
-  PositionedGlyph glyph;
-  size_t count = 0;
-  while (cursor.next(glyph)) {
-    if (count == out.size) {
-      return Status::buffer_small;
-    }
-    out[count++] = glyph;
-  }
-  glyphs = {out.data, count};
-  return Status::ok;
-}
-
-TextMeasure detail::measure(const Font& font, TextCursor cursor) noexcept {
+TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
   TextMeasure sum = detail::kNoInk;
   PositionedGlyph at;
   while (cursor.next(at)) {
@@ -183,17 +164,6 @@ TextMeasure detail::measure(const Font& font, TextCursor cursor) noexcept {
   }
   sum.advance = cursor.advance();
   return sum;
-}
-
-Status lay_out(const Font& font,
-               Text text,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
-  return detail::lay_out(TextCursor(font, text), text.size, out, glyphs);
-}
-
-TextMeasure measure(const Font& font, Text text) noexcept {
-  return detail::measure(font, TextCursor(font, text));
 }
 
 Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {

@@ -40,7 +40,8 @@ Strip strip_at(int32_t y) {
 bool measure_run(const Font& font, int32_t px) {
   const Style style(Q26_6::from_int(px), kFilterText);
   Span<const PositionedGlyph> run;
-  if (lay_out(font, "Hello, 12:34", glyphs, run) != Status::ok) {
+  if (Painter().lay_out(font, style, "Hello, 12:34", glyphs, run) !=
+      Status::ok) {
     return false;
   }
   uint32_t instructions = 0;
