@@ -44,7 +44,7 @@ TESTS = {
     "core/field/src/field_sampler.cpp": ("field", "field_point"),
     "core/src/outlines/outline_glyph.cpp": ("outline_reader", "outline_draw"),
     "core/src/rows/area_painter.cpp": ("outline_draw", "outline_errors"),
-    "core/src/rows/crossings.cpp": ("outline_draw", "outline_errors"),
+    "core/src/rows/wide_painter.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/draw_bands.cpp": ("outline_draw", "outline_styles"),
     "core/src/rows/edge_rows.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/emit_band.cpp": ("outline_draw", "outline_styles",

@@ -3,7 +3,6 @@
 #include "base/math.hpp"
 #include "place/style_parts.hpp"
 #include "row_painter.hpp"
-#include "rows/crossings.hpp"
 
 namespace inkcell::detail {
 namespace {

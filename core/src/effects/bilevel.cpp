@@ -4,7 +4,6 @@
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "effects/mixed_rows.hpp"
-#include "rows/crossings.hpp"
 
 namespace inkcell::detail {
 namespace {

@@ -11,7 +11,7 @@
 // edges meet, at a corner or within a curve, the pixel nearest to that point is
 // painted as well; no other pixel is within half a pixel of it. So none is left
 // out between two edges, however much the contour turns.
-#include "rows/distance_painter.hpp"
+#include "rows/band_kind.hpp"
 
 #include "base/math.hpp"
 #include "rows/contours.hpp"

@@ -5,11 +5,8 @@
 #include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
 #include "place/style_parts.hpp"
-#include "rows/area_painter.hpp"
-#include "rows/crossings.hpp"
-#include "rows/distance_painter.hpp"
+#include "rows/band_kind.hpp"
 #include "rows/outline_fit.hpp"
-#include "rows/wide_painter.hpp"
 
 namespace inkcell {
 namespace detail {

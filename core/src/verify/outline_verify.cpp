@@ -1,4 +1,4 @@
-#include "verify/outline_verify.hpp"
+#include "verify/verify_parts.hpp"
 
 #include "base/bytes.hpp"
 #include "inkcell/format/rom.hpp"

@@ -7,8 +7,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "outlines/outline_glyph.hpp"
-#include "verify/morph_verify.hpp"
-#include "verify/outline_verify.hpp"
+#include "verify/verify_parts.hpp"
 
 namespace inkcell {
 namespace {

@@ -1,4 +1,4 @@
-// What Font::verify asks of outlines.
+// What Font::verify asks of outlines and of MORP.
 #pragma once
 
 #include "inkcell/font.hpp"
@@ -15,5 +15,11 @@ bool outline_fits(const Font& font,
                   Span<const uint8_t> record,
                   const OutlineCoding& coding,
                   uint32_t& bits) noexcept;
+
+// Whether pairs ascend and name glyphs that exist, a glyph has one second
+// master at most, and no record makes more points than the section says. An
+// empty section fits.
+bool morphs_fit(const Span<const uint8_t>& section,
+                uint32_t glyph_count) noexcept;
 
 }  // namespace inkcell::detail
