@@ -310,7 +310,7 @@ void Look::set_levels(const LookOptions& options) {
     const auto& rule = options.levels == 2 ? inkcell::detail::kTwoLevelRule
                                            : inkcell::detail::kFourLevelRule;
     Style adapted;
-    style_ = rule.adapt(style_, true, adapted);
+    style_ = rule.adapt(rule, style_, true, adapted);
     return;
   }
   bilevel_ =

@@ -38,9 +38,16 @@ inline constexpr FewLevels kFourLevels{4};
 struct LevelRule {
   // Makes `room` the style that text is drawn with, and returns it; the given
   // one if that says it all.
-  const Style& (*adapt)(const Style& given, bool can_fit, Style& room) noexcept;
+  const Style& (*adapt)(const LevelRule& rule,
+                        const Style& given,
+                        bool can_fit,
+                        Style& room) noexcept;
   // Its fitter, without a style.
-  const Fitter* (*fitter)(const Style& given, bool can_fit) noexcept;
+  const Fitter* (*fitter)(const LevelRule& rule,
+                          const Style& given,
+                          bool can_fit) noexcept;
+  const Fitter* own;
+  const FewLevels* effect;
 };
 extern const LevelRule kTwoLevelRule;
 extern const LevelRule kFourLevelRule;

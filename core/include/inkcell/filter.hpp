@@ -99,11 +99,8 @@ struct Filter {
   /// Moves the edges of the text outwards: see with_weight().
   constexpr void add_weight(Q6_10 weight_px) noexcept {
     constexpr int32_t kLimit = 4 << 10;
-    const int32_t least = inside_q10 - kLimit;
-    const int32_t most = outside_q10 + kLimit;
-    const int32_t weight = weight_px.raw < least  ? least
-                           : weight_px.raw > most ? most
-                                                  : weight_px.raw;
+    const int32_t weight =
+        detail::clamp(weight_px.raw, inside_q10 - kLimit, outside_q10 + kLimit);
     set_cutoffs(outside_q10 - weight, inside_q10 - weight);
   }
 };
@@ -184,10 +181,6 @@ constexpr int32_t profile_q16(FilterProfile profile,
   return ramp_q16;
 }
 
-constexpr int32_t limited(int32_t value, int32_t low, int32_t high) noexcept {
-  return value < low ? low : (value > high ? high : value);
-}
-
 }  // namespace detail
 
 /// The table of a filter. Runs at compile time for constants; on a device it
@@ -197,14 +190,14 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
   constexpr int32_t kLimit = 4 << 10;
   constexpr int32_t kNarrowest = 1 << 7;
   constexpr int32_t kOne = 1 << 8;
-  using detail::limited;
+  using detail::clamp;
   const int32_t outside =
-      limited(spec.outside_px.raw, -kLimit, kLimit - kNarrowest);
+      clamp(spec.outside_px.raw, -kLimit, kLimit - kNarrowest);
   const int32_t inside =
-      limited(spec.inside_px.raw, outside + kNarrowest, kLimit);
-  const int32_t exponent = limited(spec.exponent.raw, kOne / 4, 4 * kOne);
-  const int32_t contrast = limited(spec.contrast.raw, kOne / 4, 4 * kOne);
-  const int32_t gamma = limited(spec.gamma.raw, kOne, 4 * kOne);
+      clamp(spec.inside_px.raw, outside + kNarrowest, kLimit);
+  const int32_t exponent = clamp(spec.exponent.raw, kOne / 4, 4 * kOne);
+  const int32_t contrast = clamp(spec.contrast.raw, kOne / 4, 4 * kOne);
+  const int32_t gamma = clamp(spec.gamma.raw, kOne, 4 * kOne);
 
   Filter filter;
   filter.is_linear = spec.profile == FilterProfile::linear &&
@@ -218,7 +211,7 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
     int32_t light =
         detail::power_q16(detail::profile_q16(spec.profile, ramp), exponent);
     if (contrast != kOne) {
-      light = limited(32768 + (light - 32768) * contrast / kOne, 0, 65536);
+      light = clamp(32768 + (light - 32768) * contrast / kOne, 0, 65536);
     }
     if (gamma != kOne) {
       const int32_t inverse = kOne * kOne / gamma;

@@ -35,18 +35,14 @@ struct Fixed {
   constexpr Raw floor() const noexcept {
     return static_cast<Raw>(raw >> kFraction);
   }
-};
 
-template <typename Raw, int kFraction>
-constexpr bool operator==(Fixed<Raw, kFraction> a,
-                          Fixed<Raw, kFraction> b) noexcept {
-  return a.raw == b.raw;
-}
-template <typename Raw, int kFraction>
-constexpr bool operator!=(Fixed<Raw, kFraction> a,
-                          Fixed<Raw, kFraction> b) noexcept {
-  return a.raw != b.raw;
-}
+  friend constexpr bool operator==(Fixed a, Fixed b) noexcept {
+    return a.raw == b.raw;
+  }
+  friend constexpr bool operator!=(Fixed a, Fixed b) noexcept {
+    return a.raw != b.raw;
+  }
+};
 
 /// Sizes and positions at the interface: 1/64 px.
 using Q26_6 = Fixed<int32_t, 6>;
@@ -60,6 +56,10 @@ using Q16_16 = Fixed<int32_t, 16>;
 using Q2_14 = Fixed<int16_t, 14>;
 
 namespace detail {
+
+constexpr int32_t clamp(int32_t value, int32_t low, int32_t high) noexcept {
+  return value < low ? low : value > high ? high : value;
+}
 
 // The number that the characters of a literal are, rounded to 1/64; -1 if they
 // are no decimal number below 2^25, with up to 9 digits behind the point.

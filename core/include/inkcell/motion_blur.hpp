@@ -40,9 +40,7 @@ struct MotionBlur : Effect {
 
  private:
   static constexpr int32_t limited(Q26_6 px) noexcept {
-    return px.raw < -kMost.raw  ? -kMost.raw
-           : px.raw > kMost.raw ? kMost.raw
-                                : px.raw;
+    return detail::clamp(px.raw, -kMost.raw, kMost.raw);
   }
   static constexpr int32_t steps_of(Point path) noexcept {
     const int32_t x = limited(path.x);

@@ -207,14 +207,14 @@ class Painter {
 
   /// What a style is drawn with here, made in `room` where it differs.
   const Style& adapted(const Style& style, Style& room) const noexcept {
-    return sink_->levels == nullptr
-               ? style
-               : sink_->levels->adapt(style, can_fit_, room);
+    const detail::LevelRule* const rule = sink_->levels;
+    return rule == nullptr ? style : rule->adapt(*rule, style, can_fit_, room);
   }
   /// Its fitter alone.
   const Fitter* fitter_of(const Style& style) const noexcept {
-    return sink_->levels == nullptr ? style.fitter()
-                                    : sink_->levels->fitter(style, can_fit_);
+    const detail::LevelRule* const rule = sink_->levels;
+    return rule == nullptr ? style.fitter()
+                           : rule->fitter(*rule, style, can_fit_);
   }
 
  private:

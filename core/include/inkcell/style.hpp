@@ -95,9 +95,7 @@ class Style {
   constexpr explicit Style(Q26_6 size,
                            const Filter& filter = kFilterArea) noexcept
       : filter_(&filter) {
-    size_q6_ = size.raw < kMinSize.raw   ? kMinSize.raw
-               : size.raw > kMaxSize.raw ? kMaxSize.raw
-                                         : size.raw;
+    size_q6_ = detail::clamp(size.raw, kMinSize.raw, kMaxSize.raw);
     const auto size_q6 = static_cast<uint32_t>(size_q6_);
     // All else takes 2^32 over the size. [Q32] Of a power of two that is one
     // more than what 32 bits make of it.
@@ -224,9 +222,7 @@ class Style {
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
     // The clamp keeps the product below 2^31 at every size.
     const int32_t limit = limit_u_q10_;
-    distance_u_q10 = distance_u_q10 > limit ? limit : distance_u_q10;
-    distance_u_q10 = distance_u_q10 < -limit ? -limit : distance_u_q10;
-    return (distance_u_q10 * size_q6_) >> 16;
+    return detail::clamp(distance_u_q10, -limit, limit) * size_q6_ >> 16;
   }
 
   friend bool is_same(const Style& a, const Style& b) noexcept;

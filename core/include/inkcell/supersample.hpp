@@ -41,9 +41,8 @@ struct Supersample : Effect {
   /// The radius is clamped to kMinRadius..kMaxRadius.
   constexpr explicit Supersample(Q6_10 radius = kSharpRadius) noexcept
       : Effect(detail::kSupersampleMixer),
-        radius_q10(radius.raw < kMinRadius.raw   ? kMinRadius.raw
-                   : radius.raw > kMaxRadius.raw ? kMaxRadius.raw
-                                                 : radius.raw) {}
+        radius_q10(static_cast<int16_t>(
+            detail::clamp(radius.raw, kMinRadius.raw, kMaxRadius.raw))) {}
 
   int16_t radius_q10;  // [px]
 };

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/assert.hpp"
+#include "inkcell/fixed.hpp"
 
 namespace inkcell::detail {
 
@@ -25,10 +26,7 @@ inline uint32_t magnitude(int32_t value) noexcept {
   return value < 0 ? 0 - same : same;
 }
 
-inline int32_t clamp(int32_t value, int32_t low, int32_t high) noexcept {
-  return value < low ? low : value > high ? high : value;
-}
-// Clamps sums and products that may not fit 32 bits.
+// As clamp(), of sums and products that may not fit 32 bits.
 inline int32_t clamp_i64(int64_t value, int32_t low, int32_t high) noexcept {
   return static_cast<int32_t>(value < low ? low : value > high ? high : value);
 }

@@ -11,22 +11,10 @@ namespace {
 // Pixels farther from the ink are never drawn. [px, Q8]
 constexpr int32_t kMostReach = 256;
 
-const Bilevel& bilevel_of(const Effect& effect) noexcept {
-  return static_cast<const Bilevel&>(effect);
-}
-bool has_greys(const Bilevel& bilevel) noexcept {
-  return bilevel.levels > 2;
-}
-
-// [px, Q10]
-int32_t threshold_of(const Bilevel& bilevel) noexcept {
-  return min(max(bilevel.threshold_px.raw, -512), 512);
-}
-
 void plan_bilevel(const Effect& effect, const Style&, BandPlan& plan) noexcept {
   // Thresholds, and the nearer of two pixels that a stroke passes between.
   constexpr int32_t kLeastReach = 128 + 16;
-  if (!has_greys(bilevel_of(effect))) {
+  if (static_cast<const Bilevel&>(effect).levels <= 2) {
     plan.outside_q8 = 0;
     plan.inside_q8 = 0;
   }
@@ -70,8 +58,8 @@ class BilevelRow {
         column_{job.band.stride, 1, kCrossedAbove},
         filter_(job.style->filter()),
         step_q8_(static_cast<uint32_t>(job.band.reach_q8) * 1024 / 254),
-        threshold_q10_(threshold_of(bilevel)),
-        has_greys_(has_greys(bilevel)),
+        threshold_q10_(clamp(bilevel.threshold_px.raw, -512, 512)),
+        has_greys_(bilevel.levels > 2),
         is_fitted_(job.style->is_fitted()) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
@@ -205,8 +193,8 @@ class BilevelRow {
   Line row_;
   Line column_;
   const Filter& filter_;
-  uint32_t step_q8_;  // a 254th of the reach [px, Q18]
-  int32_t threshold_q10_;
+  uint32_t step_q8_;       // a 254th of the reach [px, Q18]
+  int32_t threshold_q10_;  // [px]
   bool has_greys_;
   bool is_fitted_;
 };
@@ -214,7 +202,7 @@ class BilevelRow {
 void mix_bilevel(const Effect& effect, GlyphBand& band) noexcept {
   const auto& job = static_cast<const GlyphJob&>(band);
   resolve(job.band);
-  const BilevelRow row(bilevel_of(effect), job);
+  const BilevelRow row(static_cast<const Bilevel&>(effect), job);
   mix_rows(band,
            [&row](const uint8_t* at) noexcept { return row.coverage(at); });
 }

@@ -55,7 +55,7 @@ uint8_t contrasted(const uint8_t* at,
                    int32_t stride,
                    const EdgeContrast& contrast) noexcept {
   const int32_t grows = at[1] - at[-1] + at[-stride] - at[stride];
-  const int32_t side = min(max(grows, -255), 255);
+  const int32_t side = clamp(grows, -255, 255);
   const int32_t thin = max(thinness(at, 1, stride), thinness(at, stride, 1));
   const int32_t coverage = changed(*at, side * contrast.edge);
   return static_cast<uint8_t>(changed(coverage, thin * contrast.thin));

@@ -100,17 +100,19 @@ void mix_few(const Effect& effect, GlyphBand& band) noexcept {
   });
 }
 
-// `own` is the fitter of the levels; null in a program without outlines.
-const Fitter* fitter_of(const Style& given, const Fitter* own) noexcept {
+// A rule's own fitter is null in a program without outlines.
+const Fitter* fitter_of(const LevelRule& rule,
+                        const Style& given,
+                        bool can_fit) noexcept {
   if (!StyleParts::is_fit_open(given)) {
     return given.fitter();
   }
-  return given.size().raw < Fit::kEnds.raw ? own : nullptr;
+  return can_fit && given.size().raw < Fit::kEnds.raw ? rule.own : nullptr;
 }
 
-const Style& adapt(const Style& given,
-                   const Fitter* own,
-                   const FewLevels& effect,
+const Style& adapt(const LevelRule& rule,
+                   const Style& given,
+                   bool can_fit,
                    Style& room) noexcept {
   const bool is_open = StyleParts::is_fit_open(given);
   if (!is_open && given.effect() != nullptr) {
@@ -118,11 +120,11 @@ const Style& adapt(const Style& given,
   }
   room = given;
   if (is_open) {
-    const Fitter* const fitter = fitter_of(given, own);
+    const Fitter* const fitter = fitter_of(rule, given, can_fit);
     fitter == nullptr ? room.clear_fit() : room.set_fit(*fitter, nullptr);
   }
   if (given.effect() == nullptr) {
-    room.set_effect(effect);
+    room.set_effect(*rule.effect);
   }
   return room;
 }
@@ -130,23 +132,9 @@ const Style& adapt(const Style& given,
 }  // namespace
 
 const Mixer kFewLevelsMixer = {nullptr, plan_few, mix_few};
-
-const LevelRule kTwoLevelRule = {
-    [](const Style& given, bool can_fit, Style& room) noexcept -> const Style& {
-      return adapt(given, can_fit ? &kFitTwoLevels : nullptr, kTwoLevels, room);
-    },
-    [](const Style& given, bool can_fit) noexcept {
-      return fitter_of(given, can_fit ? &kFitTwoLevels : nullptr);
-    }};
-
-const LevelRule kFourLevelRule = {
-    [](const Style& given, bool can_fit, Style& room) noexcept -> const Style& {
-      return adapt(given, can_fit ? &kFitFourLevels : nullptr, kFourLevels,
-                   room);
-    },
-    [](const Style& given, bool can_fit) noexcept {
-      return fitter_of(given, can_fit ? &kFitFourLevels : nullptr);
-    }};
+const LevelRule kTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels, &kTwoLevels};
+const LevelRule kFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
+                                  &kFourLevels};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -1,6 +1,7 @@
 #include "inkcell/grid_hints.hpp"
 
 #include "base/bytes.hpp"
+#include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell {
@@ -61,10 +62,9 @@ bool GridHints::has_few_bars() const noexcept {
 
 GridZone GridHints::zone(uint32_t i) const noexcept {
   const uint8_t* const at = section_ + grid::kBytes + grid::kZoneBytes * i;
-  int32_t flat = detail::load_i16(at + grid::kZoneFlat);
-  flat = flat > kFarthestZone ? kFarthestZone : flat;
-  flat = flat < -kFarthestZone ? -kFarthestZone : flat;
-  return {flat, static_cast<int8_t>(at[grid::kZoneOvershoot]),
+  return {detail::clamp(detail::load_i16(at + grid::kZoneFlat), -kFarthestZone,
+                        kFarthestZone),
+          static_cast<int8_t>(at[grid::kZoneOvershoot]),
           (at[grid::kZoneFlags] & grid::kTopZone) != 0};
 }
 
