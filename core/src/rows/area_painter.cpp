@@ -295,21 +295,10 @@ inline void paint_short_line(
 __attribute__((noinline)) void paint_line(const Band& band,
                                           const PixelPoint& from,
                                           const PixelPoint& to) noexcept {
-  const int32_t dx = to.x - from.x;
-  const int32_t dy = to.y - from.y;
-  const int32_t length = max(abs(dx), abs(dy));
-  uint32_t halvings = 0;
-  while (__builtin_expect(length >> halvings >= kLengthLimit, 0)) {
-    ++halvings;
-  }
-  PixelPoint at = from;
-  for (int32_t left = (1 << halvings) - 1; left != 0; --left) {
-    const PixelPoint next = {at.x + (dx >> halvings), at.y + (dy >> halvings)};
-    paint_short_line(band, at.x, at.y, next.x, next.y);
-    at = next;
-  }
-  // Roundings add up to less than a 256th a part: what is left is short.
-  paint_short_line(band, at.x, at.y, to.x, to.y);
+  cut_line(from, to, kLengthLimit,
+           [&band](PixelPoint a, PixelPoint b) noexcept {
+             paint_short_line(band, a.x, a.y, b.x, b.y);
+           });
 }
 
 // All magnitudes are below a power of 2 if this is.

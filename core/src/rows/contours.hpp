@@ -3,9 +3,41 @@
 
 #include <stdint.h>
 
+#include "base/math.hpp"
+#include "base/small.hpp"
 #include "rows/band.hpp"
 
 namespace inkcell::detail {
+
+// Cuts a line into 2^n parts that are shorter than `limit` in both directions,
+// and shows them one after the other: part(from, to).
+template <typename Part>
+__attribute__((always_inline)) inline void cut_line(PixelPoint from,
+                                                    const PixelPoint& to,
+                                                    int32_t limit,
+                                                    const Part& part) noexcept {
+  const int32_t dx = to.x - from.x;
+  const int32_t dy = to.y - from.y;
+  const int32_t length = max(abs(dx), abs(dy));
+  uint32_t halvings = 0;
+  while (__builtin_expect(length >> halvings >= limit, 0)) {
+    ++halvings;
+  }
+  // One call of `part` is smaller, two are faster.
+  PixelPoint at = from;
+  for (int32_t left = (1 << halvings) - (kIsSmall ? 0 : 1); left != 0; --left) {
+    PixelPoint next = {at.x + (dx >> halvings), at.y + (dy >> halvings)};
+    if (kIsSmall && left == 1) {
+      next = to;
+    }
+    part(at, next);
+    at = next;
+  }
+  // Roundings add up to less than a 256th a part: what is left is short, too.
+  if (!kIsSmall) {
+    part(at, to);
+  }
+}
 
 // Shows a visitor the edges that points lead to, relative to the band. Points
 // come in portions: `edge`, three points, and `is_bent` stay from one to the

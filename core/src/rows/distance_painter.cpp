@@ -122,27 +122,16 @@ __attribute__((noinline)) void paint_horizontal(const Band& band,
   }
 }
 
-// A line of any length, in parts of less than 128 px.
+// A line of any length.
 __attribute__((noinline)) void paint_long_line(const Band& band,
                                                const PixelPoint& from,
                                                const PixelPoint& to) noexcept {
-  const int32_t dx = to.x - from.x;
-  const int32_t dy = to.y - from.y;
-  const int32_t length = max(abs(dx), abs(dy));
-  uint32_t halvings = 0;
-  while (length >> halvings >= kLengthLimit) {
-    ++halvings;
-  }
-  PixelPoint points[3];
-  points[0] = from;
-  for (int32_t left = (1 << halvings) - 1; left != 0; --left) {
-    points[2] = {points[0].x + (dx >> halvings),
-                 points[0].y + (dy >> halvings)};
+  PixelPoint points[3] = {from};
+  cut_line(from, to, kLengthLimit, [&](PixelPoint, PixelPoint end) noexcept {
+    points[2] = end;
     paint_edge(band, points, false);
-    points[0] = points[2];
-  }
-  points[2] = to;
-  paint_edge(band, points, false);
+    points[0] = end;
+  });
 }
 
 // A curve that must be halved: edge()[0] to edge()[2], of which the end is
