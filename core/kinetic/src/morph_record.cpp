@@ -2,7 +2,7 @@
 // or a quadratic curve on both; what is painted lies between them.
 #include "morph_record.hpp"
 
-#include "base/modular.hpp"
+#include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
 #include "limits.hpp"
 #include "outlines/record_bits.hpp"

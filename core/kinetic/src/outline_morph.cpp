@@ -2,7 +2,7 @@
 #include "inkcell/kinetic/outline_morph.hpp"
 
 #include "base/bytes.hpp"
-#include "base/modular.hpp"
+#include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/text.hpp"

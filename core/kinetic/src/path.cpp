@@ -1,7 +1,7 @@
 // Polylines by length, and glyphs along them and on circles.
 #include "inkcell/kinetic/path.hpp"
 
-#include "base/modular.hpp"
+#include "base/math.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "limits.hpp"
 #include "place/style_parts.hpp"

@@ -1,4 +1,4 @@
-// Minimum, maximum, absolute value and clamps.
+// Minimum, maximum, absolute value, clamps, and numbers modulo 2^32.
 #pragma once
 
 #include <stdint.h>
@@ -38,6 +38,41 @@ inline int32_t quotient(int32_t dividend, int32_t divisor) noexcept {
   const auto from = static_cast<uint32_t>(dividend);
   return dividend < 0 ? -static_cast<int32_t>((0u - from) / over)
                       : static_cast<int32_t>(from / over);
+}
+
+// The length of a vector within 12 %.
+inline int32_t rough_length(int32_t x, int32_t y) noexcept {
+  const int32_t a = abs(x);
+  const int32_t b = abs(y);
+  return max(a, b) + (min(a, b) * 3 >> 3);
+}
+
+inline void swap(int32_t& a, int32_t& b) noexcept {
+  const int32_t before = a;
+  a = b;
+  b = before;
+}
+
+// Whether 0 <= at < end, and 0 <= at <= last, by one comparison.
+inline bool is_below(int32_t at, int32_t end) noexcept {
+  return static_cast<uint32_t>(at) < static_cast<uint32_t>(end);
+}
+inline bool is_up_to(int32_t at, int32_t last) noexcept {
+  return static_cast<uint32_t>(at) <= static_cast<uint32_t>(last);
+}
+
+// Products and sums modulo 2^32.
+inline uint32_t times(int32_t a, uint32_t b) noexcept {
+  return static_cast<uint32_t>(a) * b;
+}
+inline int32_t wrapped(uint32_t value) noexcept {
+  return static_cast<int32_t>(value);
+}
+inline int32_t product(int32_t a, int32_t b) noexcept {
+  return wrapped(times(a, static_cast<uint32_t>(b)));
+}
+inline int32_t sum(int32_t a, int32_t b) noexcept {
+  return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
 }
 
 }  // namespace inkcell::detail

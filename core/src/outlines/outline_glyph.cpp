@@ -2,7 +2,6 @@
 
 #include "base/bytes.hpp"
 #include "base/math.hpp"
-#include "base/modular.hpp"
 #include "inkcell/format/rom.hpp"
 #include "outlines/record_bits.hpp"
 #include "outlines/slant.hpp"

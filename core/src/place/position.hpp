@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "base/modular.hpp"
+#include "base/math.hpp"
 #include "inkcell/geometry.hpp"
 
 namespace inkcell::detail {

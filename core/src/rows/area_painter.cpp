@@ -76,7 +76,7 @@ void add_wide(const Band& band,
   // `before`: what columns to the left show of the sum.
   while (++column != last) {
     const int32_t at = sum >> 16;
-    if (static_cast<uint32_t>(column) <= static_cast<uint32_t>(limit)) {
+    if (is_up_to(column, limit)) {
       add(row + column, at - before);
       before = at;
     }
@@ -84,7 +84,7 @@ void add_wide(const Band& band,
   }
   const int32_t in_last = ((right - 1) & 255) + 1;
   const int32_t at = gain - (((in_last * rise >> 8) * in_last + 65536) >> 17);
-  if (static_cast<uint32_t>(last) <= static_cast<uint32_t>(limit)) {
+  if (is_up_to(last, limit)) {
     add(row + last, at - before);
     before = at;
   }
@@ -99,8 +99,7 @@ inline void add_narrow(const Band& band,
                        int32_t column,
                        int32_t twice,
                        int32_t gain) noexcept {
-  if (static_cast<uint32_t>(column) <=
-      static_cast<uint32_t>(band.last_column)) {
+  if (is_up_to(column, band.last_column)) {
     const int32_t behind = (twice * gain + 256) >> 9;
     add(row + column, gain - behind);
     add(row + column + 1, behind);
@@ -201,7 +200,7 @@ void paint_full_rows(const Band& band,
   int32_t rise = 0;
   const int32_t width = abs(slope) >> 8;
   x_q16 += min(slope, 0);  // the left end of a row's part
-  const auto last_column = static_cast<uint32_t>(band.last_column);
+  const int32_t last_column = band.last_column;
   const int32_t stride = band.stride;
   do {
     const int32_t left = x_q16 >> 8;
@@ -210,7 +209,7 @@ void paint_full_rows(const Band& band,
     if (kIsSmall) {
       add_any(band, row, left, left + width, full);
     } else if (__builtin_expect((left & 255) + width <= 256, 1)) {
-      if (static_cast<uint32_t>(column) <= last_column) {
+      if (is_up_to(column, last_column)) {
         const int32_t behind = (twice * full + 256) >> 9;
         add(row + column, full - behind);
         add(row + column + 1, behind);
@@ -235,12 +234,8 @@ __attribute__((noinline)) void paint_rows(
   bool gains = !band.is_mirrored;
   if (y0 > y1) {
     gains = !gains;
-    int32_t swapped = x0;
-    x0 = x1;
-    x1 = swapped;
-    swapped = y0;
-    y0 = y1;
-    y1 = swapped;
+    swap(x0, x1);
+    swap(y0, y1);
   }
   const int32_t high = band.rows * 256;
   if (y1 <= 0 || y0 >= high) {
@@ -287,7 +282,7 @@ inline void paint_short_line(
   }
   const int32_t row = y0 >> 8;
   const int32_t units = units_of(y1 & 255) - units_of(y0 & 255);
-  if (static_cast<uint32_t>(row) < static_cast<uint32_t>(band.rows)) {
+  if (is_below(row, band.rows)) {
     add_part(band, band.row(row), x0, x1, band.is_mirrored ? -units : units);
   }
 }
@@ -334,10 +329,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   }
   const int32_t ddx = bx - ax;
   const int32_t ddy = by - ay;
-  const int32_t wide = abs(ddx);
-  const int32_t high = abs(ddy);
-  int32_t strays =
-      wide > high ? wide + (high * 3 >> 3) : high + (wide * 3 >> 3);
+  int32_t strays = rough_length(ddx, ddy);
   uint32_t halvings = 0;
   for (; strays > 4 * kTolerance && halvings != kMostHalvings; strays >>= 2) {
     ++halvings;

@@ -29,16 +29,13 @@ __attribute__((noinline)) void paint_vertex(const Band& band,
   y += 128;
   const int32_t row = y >> 8;
   const int32_t column = x >> 8;
-  if (static_cast<uint32_t>(row) >= static_cast<uint32_t>(band.rows) ||
-      static_cast<uint32_t>(column) > static_cast<uint32_t>(band.last_column)) {
+  if (!is_below(row, band.rows) || !is_up_to(column, band.last_column)) {
     return;
   }
   int32_t longer = abs((x & 255) - 128);
   int32_t shorter = abs((y & 255) - 128);
   if (longer < shorter) {
-    const int32_t swapped = longer;
-    longer = shorter;
-    shorter = swapped;
+    swap(longer, shorter);
   }
   uint8_t* const pixel = band.row(row) + column;
   const int32_t old = *pixel;
@@ -103,8 +100,7 @@ __attribute__((noinline)) void paint_horizontal(const Band& band,
   const int32_t count =
       min((max(from, to) >> 8) + 1, band.last_column + 1) - first;
   const int32_t row = y >> 8;
-  if (count <= 0 ||
-      static_cast<uint32_t>(row + 1) > static_cast<uint32_t>(band.rows)) {
+  if (count <= 0 || !is_up_to(row + 1, band.rows)) {
     return;
   }
   int32_t nearness = 254 - (y & 255) * 2;

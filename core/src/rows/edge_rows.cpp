@@ -157,8 +157,7 @@ __attribute__((noinline)) int32_t paint_tip(const Band& band,
   uint8_t* pixel;
   int32_t stride = 1;
   if (tip.is_steep) {
-    if (static_cast<uint32_t>(row) >= static_cast<uint32_t>(band.rows) ||
-        column > band.last_column) {
+    if (!is_below(row, band.rows) || column > band.last_column) {
       return above;
     }
     pixel = band.row(row) + max(column, -1);
@@ -171,8 +170,7 @@ __attribute__((noinline)) int32_t paint_tip(const Band& band,
       toggle_rows(band, row, above, column);
       above = column;
     }
-    if (static_cast<uint32_t>(column + 1) > static_cast<uint32_t>(band.rows) ||
-        static_cast<uint32_t>(row) > static_cast<uint32_t>(band.last_column)) {
+    if (!is_up_to(column + 1, band.rows) || !is_up_to(row, band.last_column)) {
       return above;
     }
     stride = band.stride;
@@ -232,13 +230,13 @@ inline void paint_rows(const Band& band,
                        int32_t across,
                        int32_t slope,
                        int32_t half_bend) noexcept {
-  const auto last_column = static_cast<uint32_t>(band.last_column);
+  const int32_t last_column = band.last_column;
   const int32_t stride = band.stride;
   uint8_t* bytes = band.row(row);
   int32_t count = end - row;
   do {
     const int32_t column = across >> 16;
-    if (__builtin_expect(static_cast<uint32_t>(column) <= last_column, 1)) {
+    if (__builtin_expect(is_up_to(column, last_column), 1)) {
       uint8_t* const pixel = bytes + column;
       int32_t nearness;
       const int32_t other = nearness_pair(across, slope, nearness);
@@ -262,9 +260,7 @@ inline void paint_rows(const Band& band,
 inline uint8_t* pair_at(const Band& band,
                         int32_t row,
                         int32_t column) noexcept {
-  return static_cast<uint32_t>(row + 1) <= static_cast<uint32_t>(band.rows)
-             ? band.row(row) + column
-             : nullptr;
+  return is_up_to(row + 1, band.rows) ? band.row(row) + column : nullptr;
 }
 
 // The same of a flat edge. Returns the row above its last crossing.
@@ -328,8 +324,7 @@ inline bool must_be_halved(int32_t d_along,
 
 // Whether rows near an end are tips.
 inline bool is_slanted(int32_t slope) noexcept {
-  return static_cast<uint32_t>(slope + kSlanted) >
-         static_cast<uint32_t>(2 * kSlanted);
+  return !is_up_to(slope + kSlanted, 2 * kSlanted);
 }
 
 }  // namespace
@@ -359,9 +354,7 @@ bool paint_edge(const Band& band,
   if (!is_steep) {
     from = begin->x;
     across = begin->y;
-    const int32_t swapped = d_across;
-    d_across = d_along;
-    d_along = swapped;
+    swap(d_across, d_along);
     width = height;
   }
   int32_t dd_along = 0;
@@ -374,8 +367,7 @@ bool paint_edge(const Band& band,
       return false;
     }
   }
-  if (__builtin_expect(static_cast<uint32_t>(d_along - 1) >= kLengthLimit - 1,
-                       0)) {
+  if (__builtin_expect(!is_below(d_along - 1, kLengthLimit - 1), 0)) {
     return d_along == 0;
   }
   const Reciprocal over_length = reciprocal_of(static_cast<uint32_t>(d_along));
@@ -393,9 +385,7 @@ bool paint_edge(const Band& band,
     half_bend = times(turn >> 2, over_length) >> 6;
     slope -= turn;
     last_slope += turn;
-    if (__builtin_expect(static_cast<uint32_t>(half_bend + kSharp) >
-                             static_cast<uint32_t>(2 * kSharp),
-                         0)) {
+    if (__builtin_expect(!is_up_to(half_bend + kSharp, 2 * kSharp), 0)) {
       tip = {from, across, slope, half_bend, from, to, is_steep};
       paint_sharp(band, tip, last_across, last_slope);
       return true;

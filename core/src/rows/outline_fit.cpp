@@ -1,7 +1,6 @@
 #include "rows/outline_fit.hpp"
 
 #include "base/math.hpp"
-#include "base/modular.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -40,13 +40,6 @@ __attribute__((noinline)) void paint_line(const Band& band,
                      (corners & 2) != 0 ? along : joined(band, along));
 }
 
-// The length of a vector within 12 %.
-inline int32_t length_of(int32_t x, int32_t y) noexcept {
-  const int32_t a = abs(x);
-  const int32_t b = abs(y);
-  return max(a, b) + (min(a, b) * 3 >> 3);
-}
-
 // How many chords a curve of second difference `bend` takes. One strays from it
 // by bend / 4; of more the joints are moved outwards by half of that, which
 // leaves 3 / 16 where a chord ends at a stored point.
@@ -78,8 +71,8 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const int32_t ay = control.y - from.y;
   const int32_t bx = to.x - control.x;
   const int32_t by = to.y - control.y;
-  const int32_t a = length_of(ax, ay);
-  const int32_t b = length_of(bx, by);
+  const int32_t a = rough_length(ax, ay);
+  const int32_t b = rough_length(bx, by);
   if (max(a, b) >= kLegLimit || a == 0 || b == 0) {
     paint_line<Marks>(band, from, to, corners);
     return;
@@ -90,7 +83,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const Tangent end = (corners & 2) != 0 ? last : joined(band, last);
   const int32_t bend_x = bx - ax;
   const int32_t bend_y = by - ay;
-  const int32_t count = chords_of(length_of(bend_x, bend_y), min(a, b));
+  const int32_t count = chords_of(rough_length(bend_x, bend_y), min(a, b));
   PixelPoint at = from;
   if (count != 1) {
     // from + 2 t a + t t (b - a), and what joints are moved by.
