@@ -137,13 +137,18 @@ class BilevelRow {
             is_stroke(line, behind, *at, *behind));
   }
 
-  // Whether what lies between `at` and the pixel before is a stroke rather than
-  // an end of one, or what grid fitting has flattened.
+  // Whether what lies between `at` and the pixel before, both outside, is a
+  // stroke: not an end of one, as it goes on in both lines beside, nor what
+  // grid fitting has flattened, as it leaves less than all of the way between
+  // them.
   bool is_stroke(const Line& line,
                  const uint8_t* at,
                  uint32_t byte,
                  uint32_t other) const noexcept {
-    return !is_fitted_ || (has_width(byte, other) && goes_on(line, at));
+    constexpr int32_t kWay = 1000;  // a pixel but what nearness is rounded by
+    return !is_fitted_ ||
+           (distance_q10(byte) + distance_q10(other) > -kWay &&
+            has_ink(line, at - line.across) && has_ink(line, at + line.across));
   }
 
   // Whether the next pixel of a line lies outside, or inside as the last one,
@@ -164,21 +169,9 @@ class BilevelRow {
             (kInsideBit | line.crossed)) != 0;
   }
 
-  // Whether a stroke between `at` and the pixel before goes on in both lines
-  // beside: ends of strokes are no strokes.
-  bool goes_on(const Line& line, const uint8_t* at) const noexcept {
-    return has_ink(line, at - line.across) && has_ink(line, at + line.across);
-  }
   static bool has_ink(const Line& line, const uint8_t* at) noexcept {
     return (((at[-line.step] | *at) & (kInsideBit | line.crossed)) |
             (at[line.step] & line.crossed)) != 0;
-  }
-
-  // Whether a stroke between two pixels, both outside, leaves less than all of
-  // the way between them: what grid fitting flattens has no width.
-  bool has_width(uint32_t byte, uint32_t other) const noexcept {
-    constexpr int32_t kWay = 1000;  // a pixel but what nearness is rounded by
-    return distance_q10(byte) + distance_q10(other) > -kWay;
   }
 
   // Whether the other pixel lies outside, is not drawn and farther. Of two that

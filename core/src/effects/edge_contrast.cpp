@@ -14,11 +14,6 @@
 namespace inkcell::detail {
 namespace {
 
-void plan_contrast(const Effect&, const Style&, BandPlan& plan) noexcept {
-  plan.margin_x = 2;
-  plan.margin_y = 2;
-}
-
 // Strokes up to kThin wide count in full, those of kWide not at all. [255 px]
 constexpr int32_t kThin = 255;
 constexpr int32_t kWide = 448;
@@ -72,6 +67,6 @@ void mix_contrast(const Effect& effect, GlyphBand& band) noexcept {
 
 }  // namespace
 
-const Mixer kEdgeContrastMixer = {nullptr, plan_contrast, mix_contrast};
+const Mixer kEdgeContrastMixer = {nullptr, plan_neighbours, mix_contrast};
 
 }  // namespace inkcell::detail

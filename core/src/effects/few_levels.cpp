@@ -32,12 +32,6 @@ constexpr int32_t kSurely = 180;
 // Coverage from which on pixels of 1 bit are drawn.
 constexpr int32_t kDrawn = 128;
 
-void plan_few(const Effect&, const Style&, BandPlan& plan) noexcept {
-  // The pixels that decide about one.
-  plan.margin_x = 2;
-  plan.margin_y = 2;
-}
-
 // What three pixels of a line cover.
 int32_t sum(const uint8_t* at, int32_t step) noexcept {
   return at[-step] + *at + at[step];
@@ -131,7 +125,7 @@ const Style& adapt(const LevelRule& rule,
 
 }  // namespace
 
-const Mixer kFewLevelsMixer = {nullptr, plan_few, mix_few};
+const Mixer kFewLevelsMixer = {nullptr, plan_neighbours, mix_few};
 const LevelRule kTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels, &kTwoLevels};
 const LevelRule kFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
                                   &kFourLevels};

@@ -86,36 +86,15 @@ void map_stripes(const Band& band, const Filter& filter) noexcept {
   }
 }
 
-// Pixels of a row:
+// Up to kMaxSpan pixels from `at` on, as long as they are of one kind: none,
+// all, or what lies between. Returns how many.
 //
 //   | . . 0 | 1 2 3 | 4 . . |     red is the mean of 0, 1 and 2
 //
-class StripeRow {
- public:
-  StripeRow(const uint8_t* first, const StripeSteps& steps) noexcept
-      : at_(first), steps_(steps) {}
-
-  // The sums of a pixel's channels, 0 to 765.
-  void add(int32_t& first, int32_t& second, int32_t& third) const noexcept {
-    const int32_t own = at_[0];
-    const int32_t middle = at_[steps_.stripe];
-    const int32_t last = at_[2 * steps_.stripe];
-    first = at_[steps_.before] + own + middle;
-    second = own + middle + last;
-    third = middle + last + at_[steps_.behind];
-  }
-  void advance() noexcept { at_ += steps_.pixel; }
-
- private:
-  const uint8_t* at_;
-  const StripeSteps& steps_;
-};
-
-// Up to kMaxSpan pixels, as long as they are of one kind: none, all, or what
-// lies between. Returns how many.
 __attribute__((noinline)) int32_t mix_span(const Lcd& lcd,
                                            const Sink& sink,
-                                           StripeRow& row,
+                                           const StripeSteps& steps,
+                                           const uint8_t* at,
                                            int32_t x,
                                            int32_t y,
                                            int32_t count) noexcept {
@@ -126,17 +105,20 @@ __attribute__((noinline)) int32_t mix_span(const Lcd& lcd,
   int32_t done = 0;
   int32_t all_sum = -1;
   for (; done != count; ++done) {
-    int32_t a;
-    int32_t b;
-    int32_t c;
-    row.add(a, b, c);
+    // The sums of the pixel's channels, 0 to 765.
+    const int32_t own = at[0];
+    const int32_t middle = at[steps.stripe];
+    const int32_t last = at[2 * steps.stripe];
+    const int32_t a = at[steps.before] + own + middle;
+    const int32_t b = own + middle + last;
+    const int32_t c = middle + last + at[steps.behind];
     const int32_t sum = a + b + c;
     const int32_t kind = sum == 0 || sum == 3 * kFull ? sum : 1;
     if (all_sum >= 0 && kind != all_sum) {
       break;
     }
     all_sum = kind;
-    row.advance();
+    at += steps.pixel;
     if (kind == 1) {
       out[0] = third(is_red_first ? a : c);
       out[1] = third(b);
@@ -158,12 +140,11 @@ void mix_stripes(const Lcd& lcd,
                  const GlyphJob& job,
                  const StripeSteps& steps) noexcept {
   const Rect& pixels = job.pixels;
-  const uint8_t* at = job.band.row(job.row) + job.column;
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
-    StripeRow stripes(at, steps);
+  const uint8_t* row = job.band.row(job.row) + job.column;
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y, row += steps.row) {
     for (int32_t x = pixels.x0; x != pixels.x1;) {
-      x +=
-          mix_span(lcd, *job.sink, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
+      x += mix_span(lcd, *job.sink, steps, row + (x - pixels.x0) * steps.pixel,
+                    x, y, min(kMaxSpan, pixels.x1 - x));
     }
   }
 }

@@ -9,6 +9,14 @@
 
 namespace inkcell::detail {
 
+// Of mixers that read up to two pixels away.
+inline void plan_neighbours(const Effect&,
+                            const Style&,
+                            BandPlan& plan) noexcept {
+  plan.margin_x = 2;
+  plan.margin_y = 2;
+}
+
 // Hands the coverage of each pixel to the sink; `cover` makes it of the pixel's
 // byte in the band, which stays as it is.
 template <typename Cover>

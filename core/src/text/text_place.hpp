@@ -42,18 +42,6 @@ class UnitScale {
   int64_t scale_;
 };
 
-inline FinePoint place(const UnitScale& scale,
-                       const Style& style,
-                       const FinePoint& origin,
-                       const PositionedGlyph& at) noexcept {
-  const int64_t along = scale.to_px_q10(at.x);
-  const int64_t across = scale.to_px_q10(at.y);
-  if (style.is_upright()) {
-    return {origin.x_q10 + along, origin.y_q10 - across};
-  }
-  return StyleParts::slant(style).place(style, origin, along, across);
-}
-
 // False: the glyph is too far away. Not inline: what it takes of the stack is
 // free again when the glyph is drawn.
 __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
@@ -61,7 +49,13 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
                                                  const Point& origin,
                                                  const PositionedGlyph& at,
                                                  Placed& out) noexcept {
-  return out.set(place(scale, style, origin, at));
+  const int64_t along = scale.to_px_q10(at.x);
+  const int64_t across = scale.to_px_q10(at.y);
+  const FinePoint from = origin;
+  return out.set(
+      style.is_upright()
+          ? FinePoint(from.x_q10 + along, from.y_q10 - across)
+          : StyleParts::slant(style).place(style, from, along, across));
 }
 
 // Ink that is not there yet, to add() to.

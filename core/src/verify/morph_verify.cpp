@@ -109,10 +109,8 @@ bool morphs_fit(const Span<const uint8_t>& section,
         offset >= next || next > size || first < last_first ||
         (i != 0 && first == last_first &&
          (second <= last_second || last_second >= masters)) ||
-        first >= masters) {
-      return false;
-    }
-    if (!Record({section.data + begin + offset, next - offset}).fits(room)) {
+        first >= masters ||
+        !Record({section.data + begin + offset, next - offset}).fits(room)) {
       return false;
     }
     last_first = first;
