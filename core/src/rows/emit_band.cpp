@@ -74,69 +74,53 @@ inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
   return word + 1 > 1 ? kMixed : word;
 }
 
-}  // namespace
-
-void cover_areas(const Band& band, const Filter&) noexcept {
+// A band's words of four pixels, row by row. `cover` also has a `Left`, what it
+// knows of the pixels to the left, all 0 at the beginning of a row.
+template <typename Left, typename Cover>
+inline void cover_words(const Band& band, const Cover& cover) noexcept {
   uint8_t* at = band.bytes;
   const int32_t row_bytes = band.row_bytes();
   const int32_t skipped = band.stride - row_bytes;
   for (int32_t row = band.rows; row != 0; --row) {
-    uint32_t sum = 0;
-    uint32_t last = 0;  // the coverage of the pixel before, four times
+    Left left = {};
     uint8_t* const end = at + row_bytes;
     do {
-      const uint32_t bytes = load_pixels(at);
-      if (__builtin_expect(bytes == 0, 1)) {
-        store_pixels(at, last);
-      } else {
-        const uint32_t coverage = cover_four(bytes, sum);
-        last = (coverage >> 24) * 0x01010101u;
-        store_pixels(at, coverage);
-      }
+      store_pixels(at, cover(load_pixels(at), left));
       at += 4;
     } while (at != end);
     at += skipped;
   }
+}
+
+}  // namespace
+
+void cover_areas(const Band& band, const Filter&) noexcept {
+  struct Left {
+    uint32_t sum;
+    uint32_t last;  // the coverage of the pixel before, four times
+  };
+  cover_words<Left>(band, [](uint32_t bytes, Left& left) noexcept {
+    if (__builtin_expect(bytes == 0, 1)) {
+      return left.last;
+    }
+    const uint32_t coverage = cover_four(bytes, left.sum);
+    left.last = (coverage >> 24) * 0x01010101u;
+    return coverage;
+  });
 }
 
 void cover_filtered(const Band& band, const Filter& filter) noexcept {
   // Half of what a 127th of the reach is. [px, Q18]
   const uint32_t step_q8 = static_cast<uint32_t>(band.reach_q8) * 1024 / 254;
-  uint8_t* at = band.bytes;
-  const int32_t row_bytes = band.row_bytes();
-  const int32_t skipped = band.stride - row_bytes;
-  for (int32_t row = 0; row != band.rows; ++row) {
-    uint32_t inside = 0;
-    for (uint8_t* const end = at + row_bytes; at != end; at += 4) {
-      const uint32_t bytes = load_pixels(at);
-      if ((bytes | inside) != 0) {
-        store_pixels(at, bytes == 0
-                             ? inside
-                             : filtered_word(bytes, inside, filter, step_q8));
-      }
-    }
-    at += skipped;
-  }
+  cover_words<uint32_t>(band, [&](uint32_t bytes, uint32_t& inside) noexcept {
+    return bytes == 0 ? inside : filtered_word(bytes, inside, filter, step_q8);
+  });
 }
 
 void cover_linear(const Band& band, const Filter&) noexcept {
-  uint8_t* at = band.bytes;
-  const int32_t row_bytes = band.row_bytes();
-  const int32_t skipped = band.stride - row_bytes;
-  for (int32_t row = band.rows; row != 0; --row) {
-    uint32_t inside = 0;
-    uint8_t* const end = at + row_bytes;
-    do {
-      const uint32_t bytes = load_pixels(at);
-      if (__builtin_expect(bytes == 0, 1)) {
-        store_pixels(at, inside);
-      } else {
-        store_pixels(at, ramp_word(bytes, inside));
-      }
-      at += 4;
-    } while (at != end);
-    at += skipped;
-  }
+  cover_words<uint32_t>(band, [](uint32_t bytes, uint32_t& inside) noexcept {
+    return __builtin_expect(bytes == 0, 1) ? inside : ramp_word(bytes, inside);
+  });
 }
 
 // To a sink that takes no blocks: runs of words that are covered, not covered,
