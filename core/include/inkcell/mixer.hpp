@@ -3,18 +3,7 @@
 // A glyph is drawn band by band. A band is some of its rows, a byte a pixel,
 // with a margin of pixels around them if a mixer asks for one. What draws the
 // font fills it; the mixer makes coverage of it, and hands that to the sink.
-//
-//   struct Dots : Effect {
-//     constexpr explicit Dots(uint8_t step) noexcept;
-//     uint8_t step_px;
-//   };
-//   void plan_dots(const Effect&, const Style&, BandPlan&) noexcept {}
-//   void mix_dots(const Effect& effect, GlyphBand& band) noexcept;
-//   constexpr Mixer kDots = {nullptr, plan_dots, mix_dots};
-//   constexpr Dots::Dots(uint8_t step) noexcept
-//       : Effect(kDots), step_px(step) {}
-//
-// docs/PORTING.md has the whole of it.
+// docs/PORTING.md has an example, "An effect of your own".
 #pragma once
 
 #include <stdint.h>
