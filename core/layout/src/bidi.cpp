@@ -4,7 +4,6 @@
 #include "inkcell/layout/layout.hpp"
 
 namespace inkcell {
-
 namespace {
 
 // Bidi_Class B.
@@ -34,45 +33,6 @@ __attribute__((noinline)) size_t paragraph_size(Text text,
   }
   return text.size - rest.size;
 }
-
-}  // namespace
-
-void Bidi::resolve(const Text& text,
-                   size_t begin,
-                   BaseDirection direction) noexcept {
-  constexpr size_t kMostCells = 65535;
-  const char* const paragraph = text.data + begin;
-  bool is_mixed = false;
-  const size_t size = paragraph_size({paragraph, text.size - begin}, is_mixed);
-  text_ = text.data;
-  direction_ = direction;
-  begin_ = begin;
-  end_ = begin + size;
-  count_ = 0;
-  base_level_ = direction == BaseDirection::right_to_left ? 1 : 0;
-  if (!is_mixed && base_level_ == 0) {
-    return;
-  }
-  size_t count = size < cells_.size ? size : cells_.size;
-  count = count < kMostCells ? count : kMostCells;
-  detail::BidiLevels levels(paragraph, cells_.data,
-                            static_cast<uint32_t>(count));
-  count_ = levels.read();
-  if (direction == BaseDirection::from_text) {
-    base_level_ = levels.base_level();
-  }
-  levels.resolve(base_level_);
-}
-
-uint8_t Bidi::level(size_t offset) const noexcept {
-  const size_t at = offset - begin_;
-  if (at >= count_) {
-    return base_level_;
-  }
-  return detail::BidiCell::level(cells_[at]);
-}
-
-namespace {
 
 // Levels of one line. Characters of more than one byte have their level in the
 // first; the others are stepped over.
@@ -171,6 +131,38 @@ class LineLevels {
 };
 
 }  // namespace
+
+void Bidi::resolve(const Text& text,
+                   size_t begin,
+                   BaseDirection direction) noexcept {
+  constexpr size_t kMostCells = 65535;
+  const char* const paragraph = text.data + begin;
+  bool is_mixed = false;
+  const size_t size = paragraph_size({paragraph, text.size - begin}, is_mixed);
+  text_ = text.data;
+  direction_ = direction;
+  begin_ = begin;
+  end_ = begin + size;
+  count_ = 0;
+  base_level_ = direction == BaseDirection::right_to_left ? 1 : 0;
+  if (!is_mixed && base_level_ == 0) {
+    return;
+  }
+  size_t count = size < cells_.size ? size : cells_.size;
+  count = count < kMostCells ? count : kMostCells;
+  detail::BidiLevels levels(paragraph, cells_.data,
+                            static_cast<uint32_t>(count));
+  count_ = levels.read();
+  if (direction == BaseDirection::from_text) {
+    base_level_ = levels.base_level();
+  }
+  levels.resolve(base_level_);
+}
+
+uint8_t Bidi::level(size_t offset) const noexcept {
+  const size_t at = offset - begin_;
+  return at < count_ ? detail::BidiCell::level(cells_[at]) : base_level_;
+}
 
 BidiRun Bidi::first_run(size_t begin, size_t end) const noexcept {
   BidiRun run = {begin, end, 0};

@@ -12,6 +12,11 @@ constexpr Class direction_of(uint32_t level) noexcept {
   return level % 2 != 0 ? Class::r : Class::l;
 }
 
+// What a class up to `an` is to neutrals.
+constexpr Class side_of(Class c) noexcept {
+  return c == Class::l ? Class::l : Class::r;
+}
+
 constexpr bool opens_isolate(Class c) noexcept {
   return c == Class::lri || c == Class::rli || c == Class::fsi;
 }
@@ -439,9 +444,8 @@ void BidiLevels::resolve_pair(uint32_t opening,
     }
     const Class c = get(at);
     if (c <= Class::an) {
-      const Class direction = c == Class::l ? Class::l : Class::r;
-      has_own |= direction == own;
-      has_other |= direction != own;
+      has_own |= side_of(c) == own;
+      has_other |= side_of(c) != own;
     }
   }
   if (at < count_ && (has_own || has_other)) {
@@ -460,7 +464,7 @@ void BidiLevels::resolve_brackets(const Sequence& sequence) noexcept {
     }
     const Class c = get(at);
     if (c <= Class::an) {
-      before = c == Class::l ? Class::l : Class::r;
+      before = side_of(c);
     }
   }
 }
@@ -473,7 +477,7 @@ void BidiLevels::resolve_neutrals(const Sequence& sequence) noexcept {
   for (uint32_t at = sequence.first; at < count_; at = next_in_sequence(at)) {
     const Class c = get(at);
     if (c <= Class::an) {
-      before = c == Class::l ? Class::l : Class::r;
+      before = side_of(c);
       is_neutral = false;
       continue;
     }
@@ -482,9 +486,7 @@ void BidiLevels::resolve_neutrals(const Sequence& sequence) noexcept {
       while (end < count_ && get(end) > Class::an) {
         end = next_in_sequence(end);
       }
-      const Class after = end == count_          ? sequence.after
-                          : get(end) == Class::l ? Class::l
-                                                 : Class::r;
+      const Class after = end == count_ ? sequence.after : side_of(get(end));
       of_neutrals = before == after ? before : direction_of(sequence.level);
       is_neutral = true;
     }

@@ -80,26 +80,47 @@ class Carets {
   bool is_done_ = false;
 };
 
-}  // namespace
-
-Status TextBox::lay_out(Text text,
-                        const Painter& painter,
-                        Span<TextLine> out,
-                        Span<const TextLine>& lines) const noexcept {
-  const Span<const TextLine> none;
-  BoxLines found(*this, painter, text, none);
-  size_t count = 0;
-  while (found.next()) {
-    if (count == out.size) {
-      return Status::buffer_small;
+// The place of the caret nearest to a column.
+__attribute__((noinline)) TextPlace nearest_place(const BoxLines& lines,
+                                                  int32_t x) noexcept {
+  const int32_t x_q6 = detail::clamp_to(x, kFar >> 6) * 64 + 32;
+  const TextLine& line = lines.line();
+  Carets carets(lines);
+  TextPlace best;
+  uint32_t offset = 0;
+  int32_t caret_x = 0;
+  int32_t least = INT32_MAX;
+  while (carets.next(offset, caret_x)) {
+    const int32_t way = carets.x_q6(caret_x) - x_q6;
+    // Where two are as near, the one to the left.
+    const int32_t rank = way < 0 ? -2 * way : 2 * way + 1;
+    if (rank < least) {
+      least = rank;
+      best.offset = offset;
+      best.is_line_end = offset == line.next && !line.is_last;
     }
-    out[count++] = found.line();
   }
-  lines = {out.data, count};
-  return Status::ok;
+  return best;
 }
 
-namespace {
+// The column of the last caret that is not behind a place; of the leftmost one
+// if all are.
+__attribute__((noinline)) int32_t caret_column(const BoxLines& lines,
+                                               size_t place) noexcept {
+  Carets carets(lines);
+  uint32_t offset = 0;
+  int32_t x = 0;
+  int64_t nearest = -2;
+  int32_t column = 0;
+  while (carets.next(offset, x)) {
+    const int64_t rank = offset <= place ? int64_t{offset} : -1;
+    if (rank > nearest) {
+      nearest = rank;
+      column = carets.x_q6(x) >> 6;
+    }
+  }
+  return column;
+}
 
 // How far ink may be from its baseline: by no more than the box of the font,
 // and the line that other faces and effects may take. [px, Q6]
@@ -154,6 +175,23 @@ bool can_draw(const TextBox& box, TextReport* report) noexcept {
 
 }  // namespace
 
+Status TextBox::lay_out(Text text,
+                        const Painter& painter,
+                        Span<TextLine> out,
+                        Span<const TextLine>& lines) const noexcept {
+  const Span<const TextLine> none;
+  BoxLines found(*this, painter, text, none);
+  size_t count = 0;
+  while (found.next()) {
+    if (count == out.size) {
+      return Status::buffer_small;
+    }
+    out[count++] = found.line();
+  }
+  lines = {out.data, count};
+  return Status::ok;
+}
+
 void TextBox::draw(Text text,
                    const Painter& painter,
                    Span<const TextLine> lines) const noexcept {
@@ -190,52 +228,6 @@ TextSize TextBox::measure(Text text,
   size.height = Q26_6::from_raw(height);
   return size;
 }
-
-namespace {
-
-// The place of the caret nearest to a column.
-__attribute__((noinline)) TextPlace nearest_place(const BoxLines& lines,
-                                                  int32_t x) noexcept {
-  const int32_t x_q6 = detail::clamp_to(x, kFar >> 6) * 64 + 32;
-  const TextLine& line = lines.line();
-  Carets carets(lines);
-  TextPlace best;
-  uint32_t offset = 0;
-  int32_t caret_x = 0;
-  int32_t least = INT32_MAX;
-  while (carets.next(offset, caret_x)) {
-    const int32_t way = carets.x_q6(caret_x) - x_q6;
-    // Where two are as near, the one to the left.
-    const int32_t rank = way < 0 ? -2 * way : 2 * way + 1;
-    if (rank < least) {
-      least = rank;
-      best.offset = offset;
-      best.is_line_end = offset == line.next && !line.is_last;
-    }
-  }
-  return best;
-}
-
-// The column of the last caret that is not behind a place; of the leftmost one
-// if all are.
-__attribute__((noinline)) int32_t caret_column(const BoxLines& lines,
-                                               size_t place) noexcept {
-  Carets carets(lines);
-  uint32_t offset = 0;
-  int32_t x = 0;
-  int64_t nearest = -2;
-  int32_t column = 0;
-  while (carets.next(offset, x)) {
-    const int64_t rank = offset <= place ? int64_t{offset} : -1;
-    if (rank > nearest) {
-      nearest = rank;
-      column = carets.x_q6(x) >> 6;
-    }
-  }
-  return column;
-}
-
-}  // namespace
 
 TextPlace TextBox::hit(Text text,
                        const Painter& painter,
