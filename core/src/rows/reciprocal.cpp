@@ -21,23 +21,7 @@ constexpr Table kTable;
 }  // namespace
 
 Reciprocal reciprocal_of(uint32_t d) noexcept {
-  uint32_t shift = 15;
-  if (d < 1u << 8) {
-    d <<= 8;
-    shift = 7;
-  }
-  if (d < 1u << 12) {
-    d <<= 4;
-    shift -= 4;
-  }
-  if (d < 1u << 14) {
-    d <<= 2;
-    shift -= 2;
-  }
-  if (d < 1u << 15) {
-    d <<= 1;
-    shift -= 1;
-  }
+  const uint32_t shift = normalize(d);
   const uint32_t rough = 256u + kTable.entries[(d >> 9) - 64];
   const auto error = static_cast<int32_t>((1u << 24) - d * rough);
   const int32_t step = static_cast<int32_t>(rough) * error >> 16;

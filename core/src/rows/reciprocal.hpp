@@ -15,6 +15,34 @@ struct Reciprocal {
 // Lengths below this have reciprocals, and quotients of them fit 32 bits.
 inline constexpr int32_t kLengthLimit = 1 << 15;
 
+// Shifts 0 < d < 2^16 until its highest bit is bit 15; returns which it was.
+inline uint32_t normalize(uint32_t& d) noexcept {
+#if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_zbb))
+  uint32_t bit = 15;
+  if (d < 1u << 8) {
+    d <<= 8;
+    bit = 7;
+  }
+  if (d < 1u << 12) {
+    d <<= 4;
+    bit -= 4;
+  }
+  if (d < 1u << 14) {
+    d <<= 2;
+    bit -= 2;
+  }
+  if (d < 1u << 15) {
+    d <<= 1;
+    bit -= 1;
+  }
+#else
+  const uint32_t zeros = static_cast<uint32_t>(__builtin_clz(d)) - 16;
+  d <<= zeros;
+  const uint32_t bit = 15 - zeros;
+#endif
+  return bit;
+}
+
 #if defined(__ARM_ARCH_6M__)
 // No division there: a table of 64 bytes, a step of Newton's method, and a
 // remainder that makes it exact.
@@ -22,30 +50,8 @@ Reciprocal reciprocal_of(uint32_t d) noexcept;
 #else
 // 0 < d < kLengthLimit.
 inline Reciprocal reciprocal_of(uint32_t d) noexcept {
-#  if defined(__riscv) && !defined(__riscv_zbb)
-  uint32_t zeros = 0;
-  uint32_t scaled = d;
-  if (scaled < 1u << 8) {
-    scaled <<= 8;
-    zeros = 8;
-  }
-  if (scaled < 1u << 12) {
-    scaled <<= 4;
-    zeros += 4;
-  }
-  if (scaled < 1u << 14) {
-    scaled <<= 2;
-    zeros += 2;
-  }
-  if (scaled < 1u << 15) {
-    scaled <<= 1;
-    zeros += 1;
-  }
-#  else
-  const uint32_t zeros = static_cast<uint32_t>(__builtin_clz(d)) - 16;
-  const uint32_t scaled = d << zeros;
-#  endif
-  return {static_cast<int32_t>(0x7fffffffu / scaled), 15 - zeros};
+  const uint32_t shift = normalize(d);
+  return {static_cast<int32_t>(0x7fffffffu / d), shift};
 }
 #endif
 
