@@ -47,8 +47,8 @@ static_assert(kTitle.is_upright());
 TEST(default_style) {
   CHECK_EQ(kPlain.size().raw, 16 * 64);
   CHECK(kPlain.is_upright());
-  CHECK_EQ(kPlain.step_along_q16(), 64 << 16);
-  CHECK_EQ(kPlain.step_across_q16(), 0);
+  CHECK_EQ(kPlain.right().x_q16, 64 << 16);
+  CHECK_EQ(kPlain.up().x_q16, 0);
   CHECK(&kPlain.filter() == &kFilterArea);
   CHECK(detail::StyleParts::band_kind(kPlain) == &detail::kAreaBand);
   CHECK_EQ(kPlain.to_px_q10(64 << 10), 1 << 10);
@@ -62,17 +62,17 @@ TEST(sizes_are_clamped_to_4_to_1024_px) {
   const int32_t small[] = {0, -64, INT32_MIN, 4 * 64 - 1, 4 * 64};
   for (const int32_t size : small) {
     CHECK_EQ(style_of(size).size().raw, 4 * 64);
-    CHECK_EQ(style_of(size).step_along_q16(), 256 << 16);
+    CHECK_EQ(style_of(size).right().x_q16, 256 << 16);
   }
   const int32_t large[] = {1024 * 64, 1024 * 64 + 1, INT32_MAX};
   for (const int32_t size : large) {
     CHECK_EQ(style_of(size).size().raw, 1024 * 64);
-    CHECK_EQ(style_of(size).step_along_q16(), 1 << 16);
+    CHECK_EQ(style_of(size).right().x_q16, 1 << 16);
   }
   for (int32_t size = 4 * 64; size <= 1024 * 64; ++size) {
     const Style style = style_of(size);
     CHECK_EQ(style.size().raw, size);
-    const int64_t whole = int64_t{style.step_along_q16()} * size;
+    const int64_t whole = int64_t{style.right().x_q16} * size;
     CHECK(whole <= int64_t{1} << 32 && whole > (int64_t{1} << 32) - size);
   }
 }
@@ -114,11 +114,11 @@ TEST(no_direction_is_upright) {
 TEST(upright_is_to_the_right) {
   Style style(kMinSize, kFilterText, direction(-kOne, 0));
   CHECK(!style.is_upright());
-  CHECK_EQ(style.step_along_q16(), -(256 << 16));
+  CHECK_EQ(style.right().x_q16, -(256 << 16));
   style = Style(kMinSize, kFilterText, direction(0, kOne));
   CHECK(!style.is_upright());
-  CHECK_EQ(style.step_along_q16(), 0);
-  CHECK_EQ(style.step_across_q16(), 256 << 16);
+  CHECK_EQ(style.right().x_q16, 0);
+  CHECK_EQ(style.up().x_q16, 256 << 16);
   style = Style(kMinSize, kFilterText, direction(kOne, 1));
   CHECK(!style.is_upright());
 }

@@ -306,6 +306,21 @@ __attribute__((noinline)) void write_rows(Rows& rows,
   rows = {at, 0, repeats, last};
 }
 
+// A block of three coverages a pixel.
+void emit_rgb(const Sink& sink,
+              const Rect& pixels,
+              const uint8_t* coverage,
+              int32_t stride) noexcept {
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const uint8_t* at = coverage;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+      sink.coverage_rgb(sink.context, x, y, at, min(kMaxSpan, pixels.x1 - x));
+      at += kMaxSpan * 3;
+    }
+    coverage += stride;
+  }
+}
+
 // A glyph that is drawn.
 struct Job {
   const Sink& sink;

@@ -208,15 +208,10 @@ class Style {
   Direction direction() const noexcept { return {axes_.x_right, axes_.x_up}; }
 
   /// The inverse: the step in the glyph for one pixel to the right on the
-  /// screen, and for one pixel up.
+  /// screen, and for one pixel up. Without a matrix these are {along, -across}
+  /// and {across, along}; upright styles have along = 1024 / size, across = 0.
   const GlyphStep& right() const noexcept { return right_; }
   const GlyphStep& up() const noexcept { return up_; }
-
-  /// Without a matrix the step to the right is {along, -across} and the step up
-  /// is {across, along}; upright styles have along = 1024 / size and across =
-  /// 0. [u per px, Q16]
-  int32_t step_along_q16() const noexcept { return right_.x_q16; }
-  int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
   /// Converts a distance from u to px; clamps it to [-32, 32] px. [Q10 -> Q10]
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {

@@ -189,7 +189,7 @@ Style::Style(Q26_6 size, const Filter& filter, Direction direction) noexcept
   if (sine == 0 && cosine > 0) {
     return;  // upright
   }
-  const int64_t step_q16 = step_along_q16();
+  const int64_t step_q16 = right_.x_q16;
   const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
   const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
   const int32_t along_px = direction.cosine.raw >> 10;

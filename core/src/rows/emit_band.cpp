@@ -173,20 +173,6 @@ void emit(const Sink& sink,
   }
 }
 
-void emit_rgb(const Sink& sink,
-              const Rect& pixels,
-              const uint8_t* coverage,
-              int32_t stride) noexcept {
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const uint8_t* at = coverage;
-    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
-      sink.coverage_rgb(sink.context, x, y, at, min(kMaxSpan, pixels.x1 - x));
-      at += kMaxSpan * 3;
-    }
-    coverage += stride;
-  }
-}
-
 void emit_band(GlyphJob& job) noexcept {
   const Band& band = job.band;
   const Rect& pixels = job.pixels;

@@ -40,10 +40,5 @@ void emit_row(const Sink& sink,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept;
-// A block of three coverages a pixel.
-void emit_rgb(const Sink& sink,
-              const Rect& pixels,
-              const uint8_t* coverage,
-              int32_t stride) noexcept;
 
 }  // namespace inkcell::detail

@@ -1,13 +1,6 @@
 #include "inkcell/value_label.hpp"
 
 namespace inkcell {
-namespace {
-
-bool equal(Text a, Text b) noexcept {
-  return a.size == b.size && __builtin_memcmp(a.data, b.data, a.size) == 0;
-}
-
-}  // namespace
 
 Point ValueLabel::place(const Painter& painter) const noexcept {
   Point place = origin_;
@@ -24,7 +17,7 @@ Rect ValueLabel::set(Text text, const Painter& painter) noexcept {
   if (text.size != size && painter.report() != nullptr) {
     painter.report()->note(Status::cut);
   }
-  if (equal(text, this->text())) {
+  if (text.size == size_ && __builtin_memcmp(text.data, bytes_, size_) == 0) {
     return {};
   }
   __builtin_memcpy(bytes_, text.data, text.size);
