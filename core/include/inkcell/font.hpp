@@ -22,8 +22,6 @@ struct OutlineCoding {
   uint8_t last_table = 0;           // 0, 1, 3 or 7
 };
 
-const OutlineCoding& outline_coding(const Font& font) noexcept;
-
 // Finds glyphs of a font that is read in pages (inkcell/stored/).
 struct FontPages {
   // As Font::glyph_of(); read_failed: the storage.
@@ -134,6 +132,9 @@ class Font {
   FontRange range() const noexcept;
   /// Whether glyphs are outlines, and not fields.
   bool has_outlines() const noexcept { return coding_.code_bits != 0; }
+  const detail::OutlineCoding& outline_coding() const noexcept {
+    return coding_;
+  }
   uint16_t units_per_em() const noexcept { return units_per_em_; }
   /// What paints glyphs; null before open().
   const detail::Source* source() const noexcept { return source_; }
@@ -190,8 +191,6 @@ class Font {
   Span<const uint8_t> section(uint32_t tag) const noexcept;
 
  private:
-  friend const detail::OutlineCoding& detail::outline_coding(
-      const Font& font) noexcept;
   friend class detail::StoredStore;
 
   class MetricsRow;
@@ -224,10 +223,5 @@ class Font {
   // Last: the smallest cores reach fewer places of numbers of 16 bits.
   Span<const uint8_t> code_pages_;
 };
-
-inline const detail::OutlineCoding& detail::outline_coding(
-    const Font& font) noexcept {
-  return font.coding_;
-}
 
 }  // namespace inkcell

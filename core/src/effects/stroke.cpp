@@ -9,10 +9,6 @@
 namespace inkcell::detail {
 namespace {
 
-const StrokeAndFill& both_of(const Effect& effect) noexcept {
-  return static_cast<const StrokeAndFill&>(effect);
-}
-
 // Distances as far as both edges, whatever the style's filter is.
 void plan_edges(const Stroke& stroke, BandPlan& plan) noexcept {
   plan.outside_q8 = 0;
@@ -27,7 +23,7 @@ void plan_stroke(const Effect& effect, const Style&, BandPlan& plan) noexcept {
 }
 
 void plan_both(const Effect& effect, const Style&, BandPlan& plan) noexcept {
-  const Stroke& stroke = *both_of(effect).stroke;
+  const Stroke& stroke = *static_cast<const StrokeAndFill&>(effect).stroke;
   plan_edges(stroke, plan);
   // Fills may lie outside of their strokes.
   plan.ink_margin_q8 = max(plan.ink_margin_q8, -stroke.inner.outside_q10 >> 2);
@@ -109,7 +105,7 @@ __attribute__((noinline)) void mix_span(const StrokeAndFill& both,
 }
 
 void mix_both(const Effect& effect, GlyphBand& band) noexcept {
-  const StrokeAndFill& both = both_of(effect);
+  const auto& both = static_cast<const StrokeAndFill&>(effect);
   INKCELL_ASSERT(both.fill != nullptr);
   if (both.fill == nullptr) {
     return;

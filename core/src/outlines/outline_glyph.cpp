@@ -60,13 +60,13 @@ bool OutlineRecord::find(const Font& font, uint16_t glyph) noexcept {
   bytes = font.record(glyph);
   // A glyph that has a record has metrics.
   static_cast<void>(font.glyph_metrics(glyph, metrics));
-  return is_outline(bytes) && outline_coding(font).code_bits != 0;
+  return is_outline(bytes) && font.has_outlines();
 }
 
 // Font units times px per grid unit. [px, Q18]
 int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
   const int32_t value = product(units, per_unit);
-  const int32_t shift = outline_coding(*font_).grid_shift;
+  const int32_t shift = font_->outline_coding().grid_shift;
   return shift >= 0
              ? value >> shift
              : static_cast<int32_t>(static_cast<uint32_t>(value) << -shift);
@@ -88,7 +88,7 @@ bool OutlineGlyph::find(const Font& font,
     return false;
   }
   font_ = &font;
-  const int32_t scale = scale_of(font, size, outline_coding(font));
+  const int32_t scale = scale_of(font, size, font.outline_coding());
   map_ = {{{scale, 0}, {0, -scale}}};
   is_mirrored =
       slanted != nullptr && StyleParts::slant(*slanted).map(*slanted, map_);
@@ -170,7 +170,7 @@ void OutlineGlyph::begin_part(const OutlineRecord& record,
 }
 
 void OutlineGlyph::rewind() noexcept {
-  reader_.set_budget(outline_coding(*font_).max_points);
+  reader_.set_budget(font_->outline_coding().max_points);
   if (!record_.is_composite()) {
     begin_part(record_, nullptr);
     return;
@@ -194,7 +194,7 @@ bool OutlineGlyph::next_component() noexcept {
 }
 
 ScreenPoint* OutlineGlyph::read(ScreenPoint* out, int32_t room) noexcept {
-  const OutlineCoding& coding = outline_coding(*font_);
+  const OutlineCoding& coding = font_->outline_coding();
   while (!is_done() && room != 0) {
     ScreenPoint* const end = reader_.read(coding, part_map_, out, room);
     room -= static_cast<int32_t>(end - out);

@@ -257,9 +257,8 @@ Status Font::verify() const noexcept {
       !detail::morphs_fit(section(format::section::kMorphs), glyph_count_)) {
     return Status::corrupt;
   }
-  const detail::OutlineCoding& coding = detail::outline_coding(*this);
-  const bool has_code = coding.code_bits != 0;
-  if (has_code && !detail::code_fits(coding)) {
+  const bool has_code = has_outlines();
+  if (has_code && !detail::code_fits(coding_)) {
     return Status::corrupt;
   }
   GridHints hints;
@@ -269,9 +268,10 @@ Status Font::verify() const noexcept {
   for (uint32_t glyph = 0; has_code && glyph < glyph_count_; ++glyph) {
     const Span<const uint8_t> bytes = record(static_cast<uint16_t>(glyph));
     uint32_t bits = 0;
-    if (bytes.size != 0 && (!detail::is_outline(bytes) ||
-                            !detail::outline_fits(*this, bytes, coding, bits) ||
-                            !hints_fit(hints, bytes, bits))) {
+    if (bytes.size != 0 &&
+        (!detail::is_outline(bytes) ||
+         !detail::outline_fits(*this, bytes, coding_, bits) ||
+         !hints_fit(hints, bytes, bits))) {
       return Status::corrupt;
     }
   }
