@@ -40,6 +40,13 @@ inline int32_t quotient(int32_t dividend, int32_t divisor) noexcept {
                       : static_cast<int32_t>(from / over);
 }
 
+// Whether the compiler was asked for small code.
+#if defined(__OPTIMIZE_SIZE__)
+inline constexpr bool kIsSmall = true;
+#else
+inline constexpr bool kIsSmall = false;
+#endif
+
 // The length of a vector within 12 %.
 inline int32_t rough_length(int32_t x, int32_t y) noexcept {
   const int32_t a = abs(x);

@@ -20,7 +20,6 @@
 #include "rows/band_kind.hpp"
 
 #include "base/math.hpp"
-#include "base/small.hpp"
 #include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 

@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "base/small.hpp"
 #include "rows/band.hpp"
 
 namespace inkcell::detail {

@@ -17,7 +17,6 @@
 #include "rows/edge_rows.hpp"
 
 #include "base/math.hpp"
-#include "base/small.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell::detail {
