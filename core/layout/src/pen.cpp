@@ -16,17 +16,10 @@ int64_t divide(int64_t dividend, int64_t divisor) noexcept {
 
 // Spaces that are as wide as the em, or half of it, where a font lacks them.
 uint32_t halves_of_em(uint32_t code_point) noexcept {
-  switch (code_point) {
-    case 0x2000:
-    case 0x2002:
-      return 1;
-    case 0x2001:
-    case 0x2003:
-    case 0x3000:
-      return 2;
-    default:
-      return 0;
+  if (code_point - 0x2000 < 4) {
+    return 1 + code_point % 2;
   }
+  return code_point == 0x3000 ? 2 : 0;
 }
 
 // Letters that join their neighbours: Arabic, Syriac, N'Ko, Mandaic, jamo,
@@ -49,17 +42,9 @@ bool is_gap(uint32_t code_point) noexcept {
   if (code_point < kCjk) {
     return code_point == ' ' || code_point == 0xa0;
   }
-  switch (line_class(code_point)) {
-    case LineClass::id:
-    case LineClass::ns:
-    case LineClass::cl:
-    case LineClass::ex:
-    case LineClass::h2:
-    case LineClass::h3:
-      return true;
-    default:
-      return false;
-  }
+  const LineClass c = line_class(code_point);
+  return c == LineClass::id || c == LineClass::ns || c == LineClass::cl ||
+         c == LineClass::ex || c == LineClass::h2 || c == LineClass::h3;
 }
 
 Pen::Pen(const Setting& setting, Order order) noexcept

@@ -18,16 +18,11 @@ class AxisWarp {
       return at_q8;
     }
     // Points of hostile fonts lie anywhere: modulo 2^32.
-    const auto from = static_cast<int32_t>(
-        (static_cast<uint32_t>(at_q8) - static_cast<uint32_t>(origin_q8_)) *
-        static_cast<uint32_t>(sign));
-    int32_t px_q8 = from;
-    if (samples_ != 1) {
-      px_q8 = static_cast<int32_t>(int64_t{from} * 21846 >> 16);
-    }
-    return static_cast<int32_t>(static_cast<uint32_t>(origin_q8_) +
-                                static_cast<uint32_t>(map_.map(px_q8, knot_)) *
-                                    static_cast<uint32_t>(sign * samples_));
+    const int32_t from = product(sum(at_q8, -origin_q8_), sign);
+    const int32_t px_q8 =
+        samples_ == 1 ? from
+                      : static_cast<int32_t>(int64_t{from} * 21846 >> 16);
+    return sum(origin_q8_, product(map_.map(px_q8, knot_), sign * samples_));
   }
 
  private:

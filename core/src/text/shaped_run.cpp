@@ -93,38 +93,6 @@ class RunCursor {
   bool has_letter_ = false;
 };
 
-Status place_run(RunCursor cursor,
-                 const ShapedRun& run,
-                 Span<PositionedGlyph> out,
-                 Span<const PositionedGlyph>& glyphs) noexcept {
-  if (out.size < run.glyphs.size) {
-    return Status::buffer_small;
-  }
-  PositionedGlyph at;
-  for (size_t i = 0; i < run.glyphs.size; ++i) {
-    cursor.next(run.glyphs[i], at);
-    out[i] = at;
-  }
-  glyphs = {out.data, run.glyphs.size};
-  return Status::ok;
-}
-
-TextMeasure measure_run(const Font& font,
-                        RunCursor cursor,
-                        const ShapedRun& run) noexcept {
-  TextMeasure sum = detail::kNoInk;
-  PositionedGlyph at;
-  for (const ShapedGlyph& next : run.glyphs) {
-    cursor.next(next, at);
-    detail::add_ink(font, at, sum);
-  }
-  if (sum.x_max < sum.x_min) {
-    sum = {};
-  }
-  sum.advance = cursor.advance(run.advance);
-  return sum;
-}
-
 }  // namespace
 
 // Here, so that text without runs does not link their cursor.
@@ -147,18 +115,36 @@ Status Painter::lay_out(const Font& font,
                         const ShapedRun& run,
                         Span<PositionedGlyph> out,
                         Span<const PositionedGlyph>& glyphs) const noexcept {
+  if (out.size < run.glyphs.size) {
+    return Status::buffer_small;
+  }
   detail::StyleRoom room;
-  return place_run(RunCursor(font, adapted(style, room.style())), run, out,
-                   glyphs);
+  RunCursor cursor(font, adapted(style, room.style()));
+  PositionedGlyph at;
+  for (size_t i = 0; i < run.glyphs.size; ++i) {
+    cursor.next(run.glyphs[i], at);
+    out[i] = at;
+  }
+  glyphs = {out.data, run.glyphs.size};
+  return Status::ok;
 }
 
 PixelMeasure Painter::measure(const Font& font,
                               const Style& style,
                               const ShapedRun& run) const noexcept {
   detail::StyleRoom room;
-  return to_px(
-      font, style,
-      measure_run(font, RunCursor(font, adapted(style, room.style())), run));
+  RunCursor cursor(font, adapted(style, room.style()));
+  TextMeasure sum = detail::kNoInk;
+  PositionedGlyph at;
+  for (const ShapedGlyph& next : run.glyphs) {
+    cursor.next(next, at);
+    detail::add_ink(font, at, sum);
+  }
+  if (sum.x_max < sum.x_min) {
+    sum = {};
+  }
+  sum.advance = cursor.advance(run.advance);
+  return to_px(font, style, sum);
 }
 
 }  // namespace inkcell
