@@ -5,8 +5,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A glyph of a field.
 struct __attribute__((may_alias)) FieldJob : GlyphJob {
@@ -23,5 +22,4 @@ struct __attribute__((may_alias)) FieldJob : GlyphJob {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

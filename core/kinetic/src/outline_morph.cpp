@@ -13,8 +13,7 @@
 #include "rows/draw_bands.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 namespace {
 
 using detail::GlyphJob;
@@ -303,5 +302,4 @@ size_t OutlineMorph::workspace_bytes(const Font& font) noexcept {
   return bytes < kLeast ? kLeast : bytes;
 }
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic

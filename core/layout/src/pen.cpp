@@ -1,7 +1,6 @@
 #include "pen.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 int64_t em_q6_of(const Face& face) noexcept {
@@ -308,5 +307,4 @@ Pen::Sign Pen::hyphen() const noexcept {
   return sign(0x2010, '-', 1);
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

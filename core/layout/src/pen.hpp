@@ -9,8 +9,7 @@
 #include "text/advances.hpp"
 #include "text/blank.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Marks belong to the character before them, as far as carets and spacing go.
 inline bool is_mark(uint32_t code_point) noexcept {
@@ -155,5 +154,4 @@ class Pen {
   bool has_begun_ = false;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -8,8 +8,7 @@
 #include "fit/fit_units.hpp"
 #include "inkcell/fit.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // The most that a stem's width may differ from whole pixels.
 constexpr int32_t kStemShoulder = 16;
@@ -324,5 +323,4 @@ inline void AcrossFit::write(AxisMap& map) const noexcept {
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

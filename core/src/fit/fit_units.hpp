@@ -6,8 +6,7 @@
 
 #include "base/math.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 constexpr int32_t kPx = 1 << 6;
 
@@ -29,5 +28,4 @@ __attribute__((noinline)) inline int32_t whole_width(int32_t width) noexcept {
   return max(kPx, round_px(width));
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

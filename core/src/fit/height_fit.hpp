@@ -7,8 +7,7 @@
 #include "fit/fit_units.hpp"
 #include "inkcell/fit.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // The least height of a bar where three of them have little room.
 constexpr int32_t kLeastSqueezed = 32;
@@ -265,5 +264,4 @@ inline void HeightFit::write(AxisMap& map) const noexcept {
   }
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "rows/band.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 const ScreenPoint* skip_outside(const Band& band,
                                 const ScreenPoint* at,
@@ -22,5 +21,4 @@ const ScreenPoint* skip_outside(const Band& band,
   return last;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

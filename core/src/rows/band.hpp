@@ -5,8 +5,7 @@
 
 #include "outlines/screen_point.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Some rows and columns of a glyph. Painters write whatever lies in it and
 // leave out the rest, so that a picture does not depend on how a glyph is cut
@@ -109,5 +108,4 @@ struct OutlineCursor {
   }
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

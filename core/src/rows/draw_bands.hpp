@@ -7,8 +7,7 @@
 #include "place/position.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Draws a placed glyph. The picture is the same for any workspace. One of
 // kLeastFittedRam bytes holds all; one of more than kWideBandRam points and
@@ -34,5 +33,4 @@ inline bool can_draw(const Source& source, const Style& style) noexcept {
 // Paints the band that the job describes.
 void clear_and_fill(GlyphJob& job) noexcept;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -2,8 +2,7 @@
 
 #include "base/math.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 // A map for points that follow each other, from an origin in samples.
@@ -174,5 +173,4 @@ int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
 
 const OutlineFitter kOutlineFitter = {fit_outline, move_points, join, to_units};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

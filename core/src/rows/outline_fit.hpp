@@ -3,8 +3,7 @@
 
 #include "rows/outline_source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Neighbours, from the left.
 struct GlyphPair {
@@ -37,5 +36,4 @@ struct OutlineFitter {
   int32_t (*to_units)(const Font& font, Q26_6 size, int32_t px) noexcept;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

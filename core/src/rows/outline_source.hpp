@@ -7,8 +7,7 @@
 #include "outlines/outline_glyph.hpp"
 #include "rows/source.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // A glyph of outlines.
 struct __attribute__((may_alias)) OutlineJob : GlyphJob {
@@ -20,5 +19,4 @@ struct __attribute__((may_alias)) OutlineJob : GlyphJob {
   OutlineCursor cursor;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -12,8 +12,7 @@
 #include "place/position.hpp"
 #include "rows/band_kind.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 struct Source;
 
@@ -101,5 +100,4 @@ inline constexpr int32_t kBandRam = 248;
 inline constexpr int32_t kWideBandRam = 488;
 static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -1,7 +1,6 @@
 #include "text/advances.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 int32_t Advances::advance(uint16_t glyph) const noexcept {
   return is_whole() ? fitter_->advance_px(font_, *style_, glyph)
@@ -20,5 +19,4 @@ int32_t Advances::to_units(int32_t sum) const noexcept {
              : sum;
 }
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

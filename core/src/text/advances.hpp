@@ -8,8 +8,7 @@
 #include "inkcell/style.hpp"
 #include "rows/outline_fit.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 // Longer lines than this, 1000 em at the least, end where it ends: a hostile
 // font may have glyphs 65535 units wide.
@@ -57,5 +56,4 @@ class Advances {
   const Fitter* fitter_;
 };
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,8 +3,7 @@
 #include "rows/outline_source.hpp"
 #include "stored_store.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 namespace {
 
 bool prepare_stored(GlyphJob& job,
@@ -31,5 +30,4 @@ constexpr Source kStoredSource = {prepare_stored, nullptr, nullptr,
 const Coding kStoredCoding = {static_cast<uint8_t>(format::Coding::outline),
                               &kStoredSource};
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -3,11 +3,9 @@
 
 #include "inkcell/coding.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 
 /// The coding of a stored font.
 extern const Coding kStoredCoding;
 
-}  // namespace detail
-}  // namespace inkcell
+}  // namespace inkcell::detail

@@ -23,8 +23,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace kinetic {
+namespace inkcell::kinetic {
 
 /// Points that are kept: RAM from a multiple of 4 on.
 struct MorphPoints {
@@ -118,5 +117,4 @@ class MorphFrame {
   MorphPoints points_;
 };
 
-}  // namespace kinetic
-}  // namespace inkcell
+}  // namespace inkcell::kinetic
