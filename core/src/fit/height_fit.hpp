@@ -20,9 +20,56 @@ class HeightFit {
  public:
   explicit HeightFit(const Fit& fit) noexcept : fit_(fit) {}
 
-  void read(GlyphHints& hints) noexcept;
-  void fit_free() noexcept;
-  void write(AxisMap& map) const noexcept;
+  __attribute__((noinline)) void read(GlyphHints& hints) noexcept {
+    for (uint32_t i = hints.y_count(); i != 0; --i) {
+      const YHint hint = hints.next_y();
+      Item& item = *end_++;
+      item.edges[0].at_u = static_cast<int16_t>(hint.low_u);
+      item.edges[1].at_u = static_cast<int16_t>(hint.high_u);
+      item.kind = hint.kind;
+      item.is_top = hint.is_top;
+      item.state = kFree;
+      const int32_t width = item.is_bar() ? width_of(hint) : 0;
+      int32_t to = 0;
+      if (hint.zone < fit_.hints_.zone_count()) {
+        const Fit::Zone& zone = fit_.zones_[hint.zone];
+        to = hint.is_round ? zone.round_q6 : zone.flat_q6;
+        if (hint.is_top) {
+          to -= width;
+        }
+        item.state = kInZone;
+      }
+      // So far only the width of a free bar is known.
+      item.set(to, width);
+    }
+    part_zones();
+  }
+
+  // Ends when all bars are fitted.
+  __attribute__((noinline)) void fit_free() noexcept {
+    for (Item* item = items_; item != end_; ++item) {
+      if (item->is_bar() && item->state == kFree) {
+        fit_bar(*item);
+      }
+    }
+    for (Item* item = items_; item != end_; ++item) {
+      if (item->kind == YHint::end) {
+        fit_end(*item);
+      }
+    }
+  }
+
+  void write(AxisMap& map) const noexcept {
+    for (const Item* item = items_; item != end_; ++item) {
+      if (item->state == kFree) {
+        continue;
+      }
+      fit_.add_knot(map, item->low().at_u, item->low().to);
+      if (item->is_bar()) {
+        fit_.add_knot(map, item->high().at_u, item->high().to);
+      }
+    }
+  }
 
  private:
   enum State : uint8_t { kFree, kInZone, kFitted };
@@ -59,12 +106,145 @@ class HeightFit {
   };
 
   bool is_bilevel() const noexcept { return fit_.levels_ == 2; }
-  int32_t width_of(const YHint& hint) const noexcept;
-  int32_t height_between(int32_t at_u2) const noexcept;
-  void part_zones() noexcept;
-  void find_room(const Item& item) noexcept;
-  void fit_bar(Item& item) noexcept;
-  void fit_end(Item& item) noexcept;
+
+  int32_t width_of(const YHint& hint) const noexcept {
+    const bool is_serif = hint.kind == YHint::serif;
+    int32_t width = fit_.bar_q6_;
+    if (is_serif || !hint.is_standard) {
+      width = fit_.height_q6(hint.high_u) - fit_.height_q6(hint.low_u);
+      if (is_serif) {
+        return !is_bilevel() ? width : fit_.drops_serifs_ ? 0 : kPx;
+      }
+      width = common_width(width, fit_.bar_q6_);
+    }
+    return is_bilevel() ? whole_width(width) : max(width, kLeastStroke);
+  }
+
+  // The height as given by the zones above and below. [2 u]
+  int32_t height_between(int32_t at_u2) const noexcept {
+    const Edge* below = nullptr;
+    const Edge* above = nullptr;
+    for (const Item* item = items_; item != end_; ++item) {
+      if (item->state != kInZone) {
+        continue;
+      }
+      for (const Edge& edge : item->edges) {
+        if (2 * edge.at_u <= at_u2) {
+          below = below == nullptr || edge.at_u >= below->at_u ? &edge : below;
+        } else {
+          above = above == nullptr || edge.at_u < above->at_u ? &edge : above;
+        }
+      }
+    }
+    Edge near = {0, 0};  // without a zone, 0 is 0
+    if (below != nullptr) {
+      near = *below;
+      if (above != nullptr) {
+        return near.to +
+               quotient((above->to - near.to) * (at_u2 - 2 * near.at_u),
+                        2 * (above->at_u - near.at_u));
+      }
+    } else if (above != nullptr) {
+      near = *above;
+    }
+    return ((at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17) + near.to -
+           fit_.height_q6(near.at_u);
+  }
+
+  // Zones are apart, but their rows need not be: keeps a row free between two
+  // where the outline has 3/8 px, as between a stem and its dot. What is
+  // below the baseline makes room downwards.
+  void part_zones() noexcept {
+    for (Item* item = items_ + 1; item < end_; ++item) {
+      Item& below = item[-1];
+      if (item->state != kInZone || below.state != kInZone ||
+          !item->has_floor() || !below.has_ceiling()) {
+        continue;
+      }
+      const int32_t open = fit_.px_q6(item->low().at_u - below.high().at_u);
+      const int32_t least = !is_bilevel()        ? min(open, kLeastStroke)
+                            : open < kPx * 3 / 8 ? 0
+                                                 : kPx;
+      const int32_t more = least - (item->low().to - below.high().to);
+      if (more > 0) {
+        Item& moved = below.high().at_u <= 0 ? below : *item;
+        const int32_t width = moved.high().to - moved.low().to;
+        moved.set(moved.low().to + (&moved == item ? more : -more), width);
+      }
+    }
+  }
+
+  // Bars that are not fitted yet set no limits.
+  void find_room(const Item& item) noexcept {
+    floor_.to = -kFar;
+    ceiling_.to = kFar;
+    for (const Item* other = items_; other != end_; ++other) {
+      if (other->kind == YHint::end || other->state == kFree) {
+        continue;
+      }
+      const Edge& low = other->low();
+      const Edge& high = other->high();
+      if (high.at_u <= item.low().at_u) {
+        if (other->has_ceiling() && high.to > floor_.to) {
+          floor_ = {high.at_u, high.to};
+        }
+      } else if (low.at_u >= item.high().at_u && other->has_floor() &&
+                 low.to < ceiling_.to) {
+        ceiling_ = {low.at_u, low.to};
+      }
+    }
+  }
+
+  // Puts a bar without a zone into the nearest rows that leave a free row on
+  // both sides, as far as there is room.
+  void fit_bar(Item& item) noexcept {
+    find_room(item);
+    const int32_t gap = is_bilevel() ? kPx : kLeastStroke;
+    const int32_t floor = floor_.to;
+    const int32_t ceiling = ceiling_.to;
+    const int32_t left = ceiling - floor - 2 * gap;
+    int32_t width = item.high().to - item.low().to;
+    int32_t middle = height_between(item.low().at_u + item.high().at_u);
+    if (left < width) {
+      width = min(width, max(kLeastSqueezed, left));
+      middle = (floor + ceiling) >> 1;
+    }
+    int32_t low;
+    if (is_bilevel() || width >= kWholeBar) {
+      width = is_bilevel() ? whole_width(width) : width;
+      low = round_px(middle - (width >> 1));
+      if (low < floor + gap && low + kPx + width <= ceiling) {
+        low += kPx;
+      }
+      if (low + width > ceiling - gap && low - kPx >= floor) {
+        low -= kPx;
+      }
+    } else {
+      low = (middle & ~(kPx - 1)) + ((kPx - width) >> 1);
+    }
+    low = min(max(low, floor), ceiling - width);
+    item.set(low, width);
+    item.state = kFitted;
+  }
+
+  // Keeps a row open between a free end and the bar that it points to, but
+  // moves it no farther than its own bar.
+  void fit_end(Item& item) noexcept {
+    find_room(item);
+    const int32_t open = ceiling_.to - floor_.to;
+    if (open >= kFar / 2) {
+      return;
+    }
+    const int32_t whole_u = ceiling_.at_u - floor_.at_u;
+    // Whether the map leaves less than a row.
+    const int32_t open_u = item.is_top ? ceiling_.at_u - item.low().at_u
+                                       : item.low().at_u - floor_.at_u;
+    if (open * open_u < kPx * whole_u) {
+      const int32_t kept = min(kPx, max(open, 0));
+      item.set(item.is_top ? ceiling_.to - kept : floor_.to + kept, 0);
+      item.state = kFitted;
+    }
+  }
 
   const Fit& fit_;
   // The limits given by the nearest bars above and below: find_room().
@@ -73,195 +253,5 @@ class HeightFit {
   Item* end_ = items_;
   Item items_[GlyphHints::kMostY];
 };
-
-inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
-  const bool is_serif = hint.kind == YHint::serif;
-  int32_t width = fit_.bar_q6_;
-  if (is_serif || !hint.is_standard) {
-    width = fit_.height_q6(hint.high_u) - fit_.height_q6(hint.low_u);
-    if (is_serif) {
-      return !is_bilevel() ? width : fit_.drops_serifs_ ? 0 : kPx;
-    }
-    width = common_width(width, fit_.bar_q6_);
-  }
-  return is_bilevel() ? whole_width(width) : max(width, kLeastStroke);
-}
-
-__attribute__((noinline)) inline void HeightFit::read(
-    GlyphHints& hints) noexcept {
-  for (uint32_t i = hints.y_count(); i != 0; --i) {
-    const YHint hint = hints.next_y();
-    Item& item = *end_++;
-    item.edges[0].at_u = static_cast<int16_t>(hint.low_u);
-    item.edges[1].at_u = static_cast<int16_t>(hint.high_u);
-    item.kind = hint.kind;
-    item.is_top = hint.is_top;
-    item.state = kFree;
-    const int32_t width = item.is_bar() ? width_of(hint) : 0;
-    int32_t to = 0;
-    if (hint.zone < fit_.hints_.zone_count()) {
-      const Fit::Zone& zone = fit_.zones_[hint.zone];
-      to = hint.is_round ? zone.round_q6 : zone.flat_q6;
-      if (hint.is_top) {
-        to -= width;
-      }
-      item.state = kInZone;
-    }
-    // So far only the width of a free bar is known.
-    item.set(to, width);
-  }
-  part_zones();
-}
-
-// Zones are apart, but their rows need not be: keeps a row free between two
-// where the outline has 3/8 px, as between a stem and its dot. What is
-// below the baseline makes room downwards.
-inline void HeightFit::part_zones() noexcept {
-  for (Item* item = items_ + 1; item < end_; ++item) {
-    Item& below = item[-1];
-    if (item->state != kInZone || below.state != kInZone ||
-        !item->has_floor() || !below.has_ceiling()) {
-      continue;
-    }
-    const int32_t open = fit_.px_q6(item->low().at_u - below.high().at_u);
-    const int32_t least = !is_bilevel()        ? min(open, kLeastStroke)
-                          : open < kPx * 3 / 8 ? 0
-                                               : kPx;
-    const int32_t more = least - (item->low().to - below.high().to);
-    if (more > 0) {
-      Item& moved = below.high().at_u <= 0 ? below : *item;
-      const int32_t width = moved.high().to - moved.low().to;
-      moved.set(moved.low().to + (&moved == item ? more : -more), width);
-    }
-  }
-}
-
-// The height as given by the zones above and below. [2 u]
-inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
-  const Edge* below = nullptr;
-  const Edge* above = nullptr;
-  for (const Item* item = items_; item != end_; ++item) {
-    if (item->state != kInZone) {
-      continue;
-    }
-    for (const Edge& edge : item->edges) {
-      if (2 * edge.at_u <= at_u2) {
-        below = below == nullptr || edge.at_u >= below->at_u ? &edge : below;
-      } else {
-        above = above == nullptr || edge.at_u < above->at_u ? &edge : above;
-      }
-    }
-  }
-  Edge near = {0, 0};  // without a zone, 0 is 0
-  if (below != nullptr) {
-    near = *below;
-    if (above != nullptr) {
-      return near.to + quotient((above->to - near.to) * (at_u2 - 2 * near.at_u),
-                                2 * (above->at_u - near.at_u));
-    }
-  } else if (above != nullptr) {
-    near = *above;
-  }
-  return ((at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17) + near.to -
-         fit_.height_q6(near.at_u);
-}
-
-// Bars that are not fitted yet set no limits.
-inline void HeightFit::find_room(const Item& item) noexcept {
-  floor_.to = -kFar;
-  ceiling_.to = kFar;
-  for (const Item* other = items_; other != end_; ++other) {
-    if (other->kind == YHint::end || other->state == kFree) {
-      continue;
-    }
-    const Edge& low = other->low();
-    const Edge& high = other->high();
-    if (high.at_u <= item.low().at_u) {
-      if (other->has_ceiling() && high.to > floor_.to) {
-        floor_ = {high.at_u, high.to};
-      }
-    } else if (low.at_u >= item.high().at_u && other->has_floor() &&
-               low.to < ceiling_.to) {
-      ceiling_ = {low.at_u, low.to};
-    }
-  }
-}
-
-// Puts a bar without a zone into the nearest rows that leave a free row on both
-// sides, as far as there is room.
-inline void HeightFit::fit_bar(Item& item) noexcept {
-  find_room(item);
-  const int32_t gap = is_bilevel() ? kPx : kLeastStroke;
-  const int32_t floor = floor_.to;
-  const int32_t ceiling = ceiling_.to;
-  const int32_t left = ceiling - floor - 2 * gap;
-  int32_t width = item.high().to - item.low().to;
-  int32_t middle = height_between(item.low().at_u + item.high().at_u);
-  if (left < width) {
-    width = min(width, max(kLeastSqueezed, left));
-    middle = (floor + ceiling) >> 1;
-  }
-  int32_t low;
-  if (is_bilevel() || width >= kWholeBar) {
-    width = is_bilevel() ? whole_width(width) : width;
-    low = round_px(middle - (width >> 1));
-    if (low < floor + gap && low + kPx + width <= ceiling) {
-      low += kPx;
-    }
-    if (low + width > ceiling - gap && low - kPx >= floor) {
-      low -= kPx;
-    }
-  } else {
-    low = (middle & ~(kPx - 1)) + ((kPx - width) >> 1);
-  }
-  low = min(max(low, floor), ceiling - width);
-  item.set(low, width);
-  item.state = kFitted;
-}
-
-// Keeps a row open between a free end and the bar that it points to, but moves
-// it no farther than its own bar.
-inline void HeightFit::fit_end(Item& item) noexcept {
-  find_room(item);
-  const int32_t open = ceiling_.to - floor_.to;
-  if (open >= kFar / 2) {
-    return;
-  }
-  const int32_t whole_u = ceiling_.at_u - floor_.at_u;
-  // Whether the map leaves less than a row.
-  const int32_t open_u = item.is_top ? ceiling_.at_u - item.low().at_u
-                                     : item.low().at_u - floor_.at_u;
-  if (open * open_u < kPx * whole_u) {
-    const int32_t kept = min(kPx, max(open, 0));
-    item.set(item.is_top ? ceiling_.to - kept : floor_.to + kept, 0);
-    item.state = kFitted;
-  }
-}
-
-// Ends when all bars are fitted.
-__attribute__((noinline)) inline void HeightFit::fit_free() noexcept {
-  for (Item* item = items_; item != end_; ++item) {
-    if (item->is_bar() && item->state == kFree) {
-      fit_bar(*item);
-    }
-  }
-  for (Item* item = items_; item != end_; ++item) {
-    if (item->kind == YHint::end) {
-      fit_end(*item);
-    }
-  }
-}
-
-inline void HeightFit::write(AxisMap& map) const noexcept {
-  for (const Item* item = items_; item != end_; ++item) {
-    if (item->state == kFree) {
-      continue;
-    }
-    fit_.add_knot(map, item->low().at_u, item->low().to);
-    if (item->is_bar()) {
-      fit_.add_knot(map, item->high().at_u, item->high().to);
-    }
-  }
-}
 
 }  // namespace inkcell::detail
