@@ -194,9 +194,9 @@ void check_fitted_anchors(const Font& font, int32_t stride) {
   CHECK(width != Painter().measure(font, open, kText).advance.raw);
   constexpr Anchor kAnchors[] = {Anchor::left, Anchor::centre, Anchor::right};
   for (const Anchor anchor : kAnchors) {
-    __builtin_memset(pages, 0, sizeof pages);
-    const auto canvas = [stride](uint8_t(&page)[kHeight * kWidth]) {
-      return Canvas({page, 0, 0, kWidth, 48, stride});
+    __builtin_memset(screens, 0, sizeof screens);
+    const auto canvas = [stride](uint8_t* page) {
+      return Canvas({{page, sizeof screens[0]}, 0, 0, kWidth, 48, stride});
     };
     ValueLabel value(font, open, {60, 34}, anchor);
     const Rect changed = value.set(kText, Canvas());
