@@ -123,10 +123,12 @@ TEST(fitted_advances_are_the_fits) {
   options.across = true;
   inkcell::Fit expected;
   CHECK_OK(inkcell::Fit::make(plain, style, options, expected));
+  style.set_fit(expected);
   for (const char letter : {'m', 'i', 'W', ' '}) {
-    CHECK_EQ(lv_font_get_glyph_width(&font.lv, static_cast<uint8_t>(letter), 0),
-             expected.advance_px(
-                 plain, plain.glyph_or_notdef(static_cast<uint8_t>(letter))));
+    CHECK_EQ(
+        lv_font_get_glyph_width(&font.lv, static_cast<uint8_t>(letter), 0),
+        style.fitter()->advance_px(
+            plain, style, plain.glyph_or_notdef(static_cast<uint8_t>(letter))));
   }
 }
 

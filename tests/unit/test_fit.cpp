@@ -18,6 +18,20 @@ using namespace outline_record;
 
 alignas(4) uint8_t rom[2048];
 
+int32_t advance_px(const Fit& fit, const Font& font, uint16_t glyph) {
+  return kGridFit.advance_px(font, Style().set_fit(fit), glyph);
+}
+
+void fit_glyph(const Fit& fit,
+               const Font& font,
+               uint16_t glyph,
+               FinePoint& origin,
+               GlyphWarp& warp) {
+  GlyphMetrics metrics;
+  CHECK_OK(font.glyph_metrics(glyph, metrics));
+  kGridFit.fit(font, Style().set_fit(fit), glyph, metrics, origin, warp);
+}
+
 // Three bars, such as those of e, with a stroke that hangs into the upper
 // counter; n; v; and an oblong with serifs.
 constexpr OutlinePoint kThree[] = {
@@ -102,7 +116,7 @@ constexpr FitOptions kBilevel = {true, 2, FitOptions::kAll};
 GlyphWarp warp_of(const Font& font, const Fit& fit, uint16_t glyph) {
   FinePoint origin = {300, 700};
   GlyphWarp warp = {};
-  fit.fit(font, glyph, origin, warp);
+  fit_glyph(fit, font, glyph, origin, warp);
   return warp;
 }
 
@@ -183,11 +197,11 @@ TEST(stems_stand_in_whole_pixels) {
   const Fit fit = fit_of(font, 10 * 64, kAcross);
   check_knots(warp_of(font, fit, two).x,
               {{150, 272}, {375, 496}, {1125, 1296}, {1350, 1520}});
-  CHECK_EQ(fit.advance_px(font, two), 6);
+  CHECK_EQ(advance_px(fit, font, two), 6);
   const Fit bilevel = fit_of(font, 10 * 64, kBilevel);
   check_knots(warp_of(font, bilevel, two).x,
               {{150, 256}, {375, 512}, {1125, 1280}, {1350, 1536}});
-  CHECK_EQ(bilevel.advance_px(font, two), 6);
+  CHECK_EQ(advance_px(bilevel, font, two), 6);
 }
 
 // 4.2 px become 4.
@@ -195,11 +209,11 @@ TEST(ink_without_stems_is_whole) {
   const Font font = hinted_font();
   const Fit fit = fit_of(font, 10 * 64, kAcross);
   check_knots(warp_of(font, fit, wedge).x, {{100, 256}, {1175, 1280}});
-  CHECK_EQ(fit.advance_px(font, wedge), 5);
+  CHECK_EQ(advance_px(fit, font, wedge), 5);
   // Odd with two levels, so that its apex is a pixel.
   const Fit bilevel = fit_of(font, 10 * 64, kBilevel);
   check_knots(warp_of(font, bilevel, wedge).x, {{100, 256}, {1175, 1024}});
-  CHECK_EQ(fit.advance_px(font, space), 3);
+  CHECK_EQ(advance_px(fit, font, space), 3);
   CHECK_EQ(warp_of(font, fit, space).x.count, 0);
 }
 
@@ -209,7 +223,7 @@ TEST(serifs_of_bilevel_text_are_left_out) {
   const GlyphWarp small = warp_of(font, fit_of(font, 10 * 64, kBilevel), serif);
   check_knots(small.y, {{0, 0}, {75, 0}, {1280, 1280}});
   check_knots(small.x, {{275, 256}, {500, 512}});
-  CHECK_EQ(fit_of(font, 10 * 64, kBilevel).advance_px(font, serif), 3);
+  CHECK_EQ(advance_px(fit_of(font, 10 * 64, kBilevel), font, serif), 3);
   const GlyphWarp large = warp_of(font, fit_of(font, 16 * 64, kBilevel), serif);
   CHECK_EQ(large.y.knots[1].to_q8, 256);
   CHECK_EQ(large.x.count, 4);
@@ -263,7 +277,7 @@ TEST(sinks_of_few_levels_fit_text) {
   CHECK(is_same(fitted, two_level_style(10_px)));
   // As with a Fit.
   CHECK_EQ(fitted.fitter()->advance_px(font, fitted, two),
-           fit_of(font, 10 * 64, kBilevel).advance_px(font, two));
+           advance_px(fit_of(font, 10 * 64, kBilevel), font, two));
   FinePoint origin = {300, 700};
   GlyphWarp warp = {};
   GlyphMetrics metrics;
@@ -322,7 +336,7 @@ TEST(fonts_without_hints_keep_all_but_baselines) {
   CHECK(!fit.has_advances());
   FinePoint origin = {300, 700};
   GlyphWarp warp = {};
-  fit.fit(font, two, origin, warp);
+  fit_glyph(fit, font, two, origin, warp);
   CHECK_EQ(warp.x.count + warp.y.count, 0);
   CHECK_EQ(origin.x_q10, 300);
   CHECK_EQ(origin.y_q10, 1024);
@@ -339,7 +353,7 @@ TEST(advances_are_those_of_the_design) {
       const Fit fit = fit_of(font, px * 64, {true, levels, FitOptions::kAll});
       for (uint16_t glyph = three; glyph <= space; ++glyph) {
         const int32_t designed = font.advance(glyph) * px * 64 / 1024;
-        const int32_t advance = fit.advance_px(font, glyph);
+        const int32_t advance = advance_px(fit, font, glyph);
         CHECK(advance * 64 >= designed - 36 && advance * 64 <= designed + 28);
         const AxisMap map = warp_of(font, fit, glyph).x;
         // Grey text of more is fitted less and less.
@@ -348,7 +362,7 @@ TEST(advances_are_those_of_the_design) {
           CHECK(map.knots[map.count - 1].to_q8 <= advance * 256 + kShoulder);
         }
       }
-      CHECK_EQ(fit.advance_px(font, three), fit.advance_px(font, two));
+      CHECK_EQ(advance_px(fit, font, three), advance_px(fit, font, two));
     }
   }
 }
@@ -384,8 +398,7 @@ TEST(text_is_measured_as_it_is_drawn) {
     text[i] = static_cast<char>('A' + i % 5);
   }
   const Text all(text, sizeof text);
-  const int32_t width =
-      Painter().measure(font, style, all).advance.raw;
+  const int32_t width = Painter().measure(font, style, all).advance.raw;
   CHECK_EQ(width % 64, 0);
   CHECK(width / 64 == 543 || width / 64 == 544);  // 543.75 px as designed
   static PositionedGlyph room[sizeof text];
@@ -399,7 +412,7 @@ TEST(text_is_measured_as_it_is_drawn) {
     const int32_t x = to_px(font, style, glyphs[i].x).raw;
     CHECK(x % 64 == 0 && x >= x_px * 64 - 64 && x <= x_px * 64 + 64);
     CHECK(cursor.next(at) && at.x == glyphs[i].x);
-    x_px = x / 64 + fit.advance_px(font, glyphs[i].glyph);
+    x_px = x / 64 + advance_px(fit, font, glyphs[i].glyph);
   }
   // Without the style they are the font's.
   CHECK_EQ(measure(font, all).advance, 24 * (600 + 600 + 510 + 310 + 300));
@@ -508,7 +521,7 @@ TEST(any_hints_are_safe) {
           CHECK(map->knots[i].to_q8 >= map->knots[i - 1].to_q8);
         }
       }
-      CHECK(!fit.has_advances() || fit.advance_px(font, glyph) >= 0);
+      CHECK(!fit.has_advances() || advance_px(fit, font, glyph) >= 0);
       Picture<24, 24> picture;
       Painter(picture.sink())
           .glyph(font, style, {Q26_6::from_int(2), Q26_6::from_int(18)}, glyph);

@@ -89,20 +89,6 @@ class Fit {
   /// stems have as whole pixels.
   Q6_10 bilevel_weight() const noexcept;
 
-  /// Moves the origin of a glyph and fills in `warp`, as kGridFit does.
-  void fit(const Font& font,
-           uint16_t glyph,
-           FinePoint& origin,
-           GlyphWarp& warp) const noexcept {
-    kGridFit.fit(font, style_of(*this), glyph, metrics_of(font, glyph), origin,
-                 warp);
-  }
-
-  /// The advance of a glyph in whole pixels, with has_advances().
-  int32_t advance_px(const Font& font, uint16_t glyph) const noexcept {
-    return kGridFit.advance_px(font, style_of(*this), glyph);
-  }
-
  private:
   friend class detail::AcrossFit;
   friend class detail::HeightFit;
@@ -113,14 +99,6 @@ class Fit {
     int16_t round_q6;
   };
 
-  static Style style_of(const Fit& fit) noexcept {
-    return Style().set_fit(kGridFit, &fit);
-  }
-  static GlyphMetrics metrics_of(const Font& font, uint16_t glyph) noexcept {
-    GlyphMetrics metrics;
-    static_cast<void>(font.glyph_metrics(glyph, metrics));
-    return metrics;
-  }
   void set(const Font& font, Q26_6 size, const FitOptions& options) noexcept;
 
   // As designed, and as the x-height is scaled. [u -> px, Q6]

@@ -265,7 +265,8 @@ class GridFit {
         continue;
       }
       const auto own = static_cast<uint16_t>(id);
-      const GlyphMetrics metrics = Fit::metrics_of(*page, own);
+      GlyphMetrics metrics;
+      static_cast<void>(page->glyph_metrics(own, metrics));
       GlyphHints hints(fit.hints_, page->record(own));
       for (uint32_t j = hints.y_count(); j != 0; --j) {
         static_cast<void>(hints.next_y());
