@@ -12,10 +12,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kBilevelMixer;
-}  // namespace detail
-
 /// Any sink will do: full coverage draws with every threshold.
 ///
 /// A stroke passes between two centres if both lie outside and the straight

@@ -19,10 +19,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kEdgeContrastMixer;
-}  // namespace detail
-
 /// To coverage I in 0..1 both options add this share of I (1 - I). [1/256]
 struct EdgeContrast : Effect {
   constexpr explicit EdgeContrast(uint8_t edge_share = 90,

@@ -8,6 +8,18 @@ namespace inkcell {
 
 struct Mixer;
 
+namespace detail {
+// How the effects of this folder draw.
+extern const Mixer kStrokeMixer;
+extern const Mixer kStrokeAndFillMixer;
+extern const Mixer kLcdMixer;
+extern const Mixer kBilevelMixer;
+extern const Mixer kFewLevelsMixer;
+extern const Mixer kSupersampleMixer;
+extern const Mixer kMotionBlurMixer;
+extern const Mixer kEdgeContrastMixer;
+}  // namespace detail
+
 /// The base of all effects: stroke.hpp, lcd.hpp, bilevel.hpp, supersample.hpp,
 /// motion_blur.hpp, edge_contrast.hpp; inkcell/field has others. Effects hold
 /// their options, may lie in ROM, and serve any number of styles:

@@ -22,8 +22,6 @@ extern const Fitter kFitTwoLevels;  // fit.hpp
 extern const Fitter kFitFourLevels;
 
 namespace detail {
-extern const Mixer kFewLevelsMixer;
-
 // Draws a pixel for what would show none.
 struct FewLevels : Effect {
   constexpr explicit FewLevels(uint8_t level_count) noexcept

@@ -17,10 +17,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kLcdMixer;
-}  // namespace detail
-
 /// How stripes lie in a pixel: from left to right, or from top to bottom.
 enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
 

@@ -17,10 +17,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kMotionBlurMixer;
-}  // namespace detail
-
 /// The blur of a glyph that moves by `path` during the exposure, from half of
 /// it before the glyph's origin to half of it after.
 struct MotionBlur : Effect {

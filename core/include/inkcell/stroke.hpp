@@ -17,11 +17,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kStrokeMixer;
-extern const Mixer kStrokeAndFillMixer;
-}  // namespace detail
-
 /// On which side of the edge a stroke lies.
 enum class StrokePlace : uint8_t { inner, centred, outer };
 

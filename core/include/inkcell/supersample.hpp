@@ -22,10 +22,6 @@
 
 namespace inkcell {
 
-namespace detail {
-extern const Mixer kSupersampleMixer;
-}  // namespace detail
-
 /// Radii of the filter, 2^(-3 (d / radius)^2): for text with kFilterText; for
 /// type that moves with kFilterMotion; and the paper's, which is softer and
 /// keeps patterns calm that are finer than pixels.
