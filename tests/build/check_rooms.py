@@ -25,7 +25,7 @@ CORE = {
     "place": "",
     "outlines": "font place",
     "rows": "outlines place",
-    "effects": "rows",
+    "effects": "place rows",
     "fit": "",
     "text": "place outlines rows",
     "verify": "font outlines",
@@ -67,6 +67,11 @@ GENERATOR = {
 # Sources of core that are a part of a public header, linked apart.
 OF_OTHER_HEADERS = {
     "core/src/font/code_points.cpp": "inkcell/font.hpp",
+    "core/src/rows/area_painter.cpp": "rows/band_kind.hpp",
+    "core/src/rows/distance_painter.cpp": "rows/band_kind.hpp",
+    "core/src/rows/wide_painter.cpp": "rows/band_kind.hpp",
+    "core/src/verify/morph_verify.cpp": "verify/verify_parts.hpp",
+    "core/src/verify/outline_verify.cpp": "verify/verify_parts.hpp",
     "core/src/verify/verify.cpp": "inkcell/font.hpp",
 }
 
