@@ -6,12 +6,7 @@
 
 namespace inkcell {
 
-using detail::Break;
 using detail::Cell;
-using detail::LineClass;
-using detail::LineCursor;
-using detail::LineEnds;
-using detail::LineState;
 using detail::LineWalk;
 using detail::Pen;
 using detail::Setting;
@@ -19,9 +14,9 @@ using detail::Setting;
 namespace {
 
 // Spaces that do not count where a line ends.
-bool hangs(uint32_t code_point, LineClass line_class) noexcept {
+bool hangs(uint32_t code_point, detail::LineClass line_class) noexcept {
   return code_point == ' ' ||
-         (code_point != '\t' && line_class == LineClass::ba &&
+         (code_point != '\t' && line_class == detail::LineClass::ba &&
           detail::shown_as(code_point) == detail::Shown::space);
 }
 
@@ -32,7 +27,7 @@ class LineFinder {
   LineFinder(const Setting& setting,
              const Text& text,
              int32_t room,
-             LineEnds ends,
+             detail::LineEnds ends,
              TextLine& line) noexcept
       : walk_(setting, text, line),
         line_(line),
@@ -62,14 +57,14 @@ class LineFinder {
     }
     Cell cell;
     const uint32_t code_point = walk_.take(cell);
-    const LineClass line_class = detail::line_class(code_point);
-    const Break place = state_.step(line_class, walk_.rest());
+    const auto line_class = detail::line_class(code_point);
+    const detail::Break place = state_.step(line_class, walk_.rest());
     if (detail::ends_line(line_class)) {
       end_paragraph(code_point);
       return false;
     }
-    if (place == Break::allowed && ends_ == LineEnds::at_breaks &&
-        end_ != line_.begin) {
+    if (place == detail::Break::allowed &&
+        ends_ == detail::LineEnds::at_breaks && end_ != line_.begin) {
       keep_place(cell.begin);
     }
     is_after_hyphen_ =
@@ -133,7 +128,7 @@ class LineFinder {
   }
 
   LineWalk walk_;
-  LineState state_;
+  detail::LineState state_;
   TextLine& line_;
   int32_t room_;
   // What the line shows up to the character that was read last.
@@ -143,7 +138,7 @@ class LineFinder {
   uint16_t pending_gaps_ = 0;  // that count if something follows them
   bool is_after_hyphen_ = false;
   bool has_place_ = false;  // where a line may end
-  LineEnds ends_;
+  detail::LineEnds ends_;
 };
 
 __attribute__((noinline)) int32_t room_of(const Setting& setting,
@@ -282,7 +277,7 @@ void detail::find_end(const Setting& setting,
                       const Text& text,
                       Q26_6 width,
                       TextLine& line,
-                      LineEnds ends) noexcept {
+                      detail::LineEnds ends) noexcept {
   const int32_t room =
       setting.options.wraps ? room_of(setting, width) : INT32_MAX;
   LineFinder(setting, text, room, ends, line).find();
@@ -349,7 +344,7 @@ Status detail::lay_out_in(const Setting& setting,
                           const Q26_6* width,
                           Span<PositionedGlyph> out,
                           Span<const PositionedGlyph>& glyphs) noexcept {
-  LineCursor cursor(setting, text, line);
+  detail::LineCursor cursor(setting, text, line);
   if (width != nullptr) {
     cursor.align(*width);
   }
