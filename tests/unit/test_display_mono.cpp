@@ -68,7 +68,7 @@ TEST(ssd1306_shows_text) {
     Ssd1306 display = {model.bus(), p.width, p.height, p.first_column,
                        p.turned};
     display.sequential_rows = p.height == 32;
-    display.charge_pump = p.height != 40;
+    display.external_supply = p.height == 40;
     check_page(model, display, p);
     CHECK_EQ(model.resets, 1);
     CHECK_EQ(model.row_pins, p.height == 32 ? 0x02 : 0x12);

@@ -43,7 +43,8 @@ class ValueLabel {
   /// is, Painter() will do. Of a sink the window does not matter.
   Rect set(Text text, const Painter& painter) noexcept;
 
-  /// Draws the text. The background is the caller's.
+  /// Draws the text where the window meets its box. The background is the
+  /// caller's.
   void draw(const Painter& painter) const noexcept;
 
   Text text() const noexcept { return {bytes_, size_}; }

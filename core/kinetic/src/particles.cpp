@@ -142,7 +142,7 @@ void step(Span<Particle> particles,
           int32_t x,
           int32_t y) noexcept {
   const GridPlace place = {grid, clamp(x, -8192, 8191) * (1 << 16),
-                       clamp(y, -8192, 8191) * (1 << 16)};
+                           clamp(y, -8192, 8191) * (1 << 16)};
   const Rect walls = intersect(rules.walls, {-8192, -8192, 8192, 8192});
   const bool has_field = rules.attraction_q10 != 0 || rules.orbit_q10 != 0;
   if (is_empty(walls)) {

@@ -105,8 +105,11 @@ __attribute__((noinline)) Rect draw_glyph(const Painter& painter,
   if (style.effect() != nullptr) {
     turned.set_effect(*style.effect());
   }
-  painter.glyph(font, turned, origin, glyph);
-  return painter.glyph_box(font, turned, origin, glyph);
+  const Rect box = painter.glyph_box(font, turned, origin, glyph);
+  if (!is_empty(intersect(box, painter.sink().window))) {
+    painter.glyph(font, turned, origin, glyph);
+  }
+  return box;
 }
 
 }  // namespace

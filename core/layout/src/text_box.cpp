@@ -151,6 +151,9 @@ void draw_lines(const TextBox& box,
                 const Rect& window,
                 const Painter& painter) noexcept {
   BoxLines found(box, painter, text, lines);
+  if (ink_bottom(box, box.rect.y1 * 64) < window.y0 * 64) {
+    return;  // no line begins below the box
+  }
   int32_t top = found.top();
   while (top < box.rect.y1 * 64 && ink_top(box, top) <= window.y1 * 64 &&
          found.next()) {

@@ -28,7 +28,9 @@ Rect ValueLabel::set(Text text, const Painter& painter) noexcept {
 }
 
 void ValueLabel::draw(const Painter& painter) const noexcept {
-  painter.text(*font_, *style_, place(painter), text());
+  if (!is_empty(intersect(box_, painter.sink().window))) {
+    painter.text(*font_, *style_, place(painter), text());
+  }
 }
 
 }  // namespace inkcell

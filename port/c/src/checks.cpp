@@ -259,7 +259,7 @@ SAME_FIELD(inkcell_ssd1306_t, height, port::Ssd1306, height);
 SAME_FIELD(inkcell_ssd1306_t, first_column, port::Ssd1306, first_column);
 SAME_FIELD(inkcell_ssd1306_t, turned, port::Ssd1306, turned);
 SAME_FIELD(inkcell_ssd1306_t, sequential_rows, port::Ssd1306, sequential_rows);
-SAME_FIELD(inkcell_ssd1306_t, charge_pump, port::Ssd1306, charge_pump);
+SAME_FIELD(inkcell_ssd1306_t, external_supply, port::Ssd1306, external_supply);
 SAME_VALUE(INKCELL_SSD1680, port::EpaperController::ssd1680);
 SAME_VALUE(INKCELL_SSD1681, port::EpaperController::ssd1681);
 SAME_VALUE(INKCELL_PLANE_NEXT, port::EpaperPlane::next);

@@ -24,8 +24,7 @@ static inkcell_positioned_glyph_t glyphs[64];  // of the line that scrolls
 
 static inkcell_status_t run(void) {
   inkcell_i2c_display_t i2c = {.write = write_i2c, .address = 0x3c};
-  inkcell_ssd1306_t display = {
-      .width = WIDTH, .height = 64, .charge_pump = true};
+  inkcell_ssd1306_t display = {.width = WIDTH, .height = 64};
   inkcell_i2c_bus(&i2c, &display.bus);
   TRY(inkcell_ssd1306_init(&display));
 

@@ -65,7 +65,7 @@ Status init(const Ssd1306& display) noexcept {
       kSetRowPins,
       display.sequential_rows ? kSequential : kAlternating,
       kSetChargePump,
-      display.charge_pump ? kPumpOn : kPumpOff,
+      display.external_supply ? kPumpOff : kPumpOn,
       kNormalDisplay,
       kNotInverse,
       kDisplayOn,

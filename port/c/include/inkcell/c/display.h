@@ -116,7 +116,7 @@ typedef struct INKCELL_SHARED inkcell_ssd1306_t {
   uint8_t first_column;
   bool turned;           // by 180 degrees
   bool sequential_rows;  // as on panels of 128 x 32
-  bool charge_pump;      // as on most modules
+  bool external_supply;  // of the panel, instead of the charge pump
 } inkcell_ssd1306_t;
 
 inkcell_status_t inkcell_ssd1306_init(const inkcell_ssd1306_t* display);

@@ -106,7 +106,8 @@ void inkcell_style_set_fit_heights(inkcell_style_t* style,
                                    const inkcell_fit_t* fit);
 
 /// Fits text for displays of 2 levels, or of 4, as painters of sinks of 1 and 2
-/// bits do by themselves (inkcell/few_levels.hpp). Needs no inkcell_fit_t.
+/// bits do by themselves (inkcell/few_levels.hpp), below 40 px to the em. Needs
+/// no inkcell_fit_t.
 void inkcell_style_fit_levels(inkcell_style_t* style, uint8_t levels);
 
 /// Glyphs stay as designed, also on sinks of 1 and 2 bits.

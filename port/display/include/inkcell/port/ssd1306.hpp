@@ -26,8 +26,9 @@ struct Ssd1306 {
   /// The rows are wired in order, as on panels of 128 x 32. On 128 x 64 they
   /// alternate between both halves.
   bool sequential_rows = false;
-  /// The controller's charge pump supplies the panel.
-  bool charge_pump = true;
+  /// The panel's VCC pin has a supply of 7 to 15 V. Else the controller's
+  /// charge pump supplies it.
+  bool external_supply = false;
 };
 
 /// Pulses the reset line if there is one, sets what write() relies on, and
