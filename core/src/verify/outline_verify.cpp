@@ -1,3 +1,4 @@
+// Checks code words and outlines as a device would read them.
 #include "verify/verify_parts.hpp"
 
 #include "base/bytes.hpp"
