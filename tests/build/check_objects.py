@@ -25,7 +25,7 @@ LEVELS = ["-Os", "-O2"]
 FRAMES = LIMITS["frames"]
 # Functions with limits of their own, on devices and on the host:
 WIDE = ("fill_rows", "mix_samples", "draw_cells", "step", "draw_body",
-        "band_box")
+        "band_box", "draw_line", "gap_between")
 
 # Where the caller lends no RAM, the first two hold a glyph, and the others,
 # below them, its points and bands.

@@ -44,7 +44,8 @@ class RunCursor {
 
  private:
   // Where a glyph at x_ stands, which may be a mark on the letter before it.
-  int32_t whole_x(uint16_t glyph) noexcept {
+  // Not inline, for its part of the stack.
+  __attribute__((noinline)) int32_t whole_x(uint16_t glyph) noexcept {
     const Advances advances = this->advances();
     const int32_t gap = x_ - letter_x_;
     if (has_letter_ && 2 * gap < font_->advance(letter_)) {

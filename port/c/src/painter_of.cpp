@@ -1,3 +1,4 @@
+// The painter of C as that of C++.
 #include "mirror.hpp"
 
 inkcell::Painter inkcell::c::painter_of(

@@ -44,7 +44,8 @@ void inkcell_text_report_init(inkcell_text_report_t* report);
 /// where no sink has 1 or 2 bits.
 typedef struct inkcell_painter_t {
   const inkcell_sink_t* sink;
-  inkcell_workspace_t ram;  // all 0: drawing takes 1.4 KB of stack, of 1 or 2 bits 1.9
+  /// All 0: drawing takes 1.4 KB of stack, 1.9 on sinks of 1 and 2 bits.
+  inkcell_workspace_t ram;
   const struct inkcell_glyph_cache_t* cache;
   inkcell_text_report_t* report;
 } inkcell_painter_t;

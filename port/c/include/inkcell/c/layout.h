@@ -106,7 +106,7 @@ typedef struct INKCELL_SHARED inkcell_text_line_t {
 /// that is all 0. False after the last; a text has a line more than line feeds.
 ///
 ///   inkcell_text_line_t line = {0};
-///   while (inkcell_next_line(&options, &painter, text, size, width_q6, &line)) { ... }
+///   while (inkcell_next_line(&options, NULL, text, size, width_q6, &line)) {}
 bool inkcell_next_line(const inkcell_layout_options_t* options,
                        const inkcell_painter_t* painter,
                        const char* text,

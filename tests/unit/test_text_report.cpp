@@ -1,0 +1,87 @@
+// What becomes of characters that a font lacks.
+#include "inkcell/text_report.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/painter.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+alignas(4) uint8_t rom[font_builder::kSampleFontBytes];
+
+Font sample() {
+  Font font;
+  const size_t size = font_builder::build_sample_font(rom);
+  CHECK_OK(open_any_font({rom, size}, font));
+  return font;
+}
+
+constexpr Style kStyle = Style(20_px, kFilterText);
+
+// The glyphs that a painter with a report lays out.
+template <size_t kCount>
+void check_replaced(TextReport& report,
+                    Text text,
+                    const uint16_t (&expected)[kCount]) {
+  const Font font = sample();
+  const Sink sink;
+  const Painter painter(sink, {}, nullptr, &report);
+  PositionedGlyph buffer[8];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(painter.lay_out(font, kStyle, text, buffer, run));
+  CHECK_EQ(run.size, kCount);
+  for (size_t i = 0; i < run.size && i < kCount; ++i) {
+    CHECK_EQ(run[i].glyph, expected[i]);
+  }
+}
+
+TEST(missing_characters_are_what_the_report_says) {
+  // A, B and C are glyphs 2, 3 and 4; x, y and z are missing.
+  TextReport report;
+  check_replaced(report, "AxBy", {2, 0, 3, 0});
+  CHECK_EQ(report.status, Status::no_glyph);
+  CHECK_EQ(report.missing, 2);
+  CHECK_EQ(report.first_missing, 'x');
+  report = {};
+  report.instead = TextReport::kNothing;
+  check_replaced(report, "AxBy", {2, 3});
+  CHECK_EQ(report.missing, 2);
+  report = {};
+  report.instead = 'C';
+  check_replaced(report, "AxBy", {2, 4, 3, 4});
+  report.instead = 'z';  // missing, too
+  check_replaced(report, "Ax", {2, 0});
+  CHECK_EQ(report.missing, 3);
+  report = {};
+  report.instead = TextReport::kNothing;
+  report.substitute = [](uint32_t code_point) noexcept {
+    return code_point == 'x' ? uint32_t{'B'} : code_point;
+  };
+  check_replaced(report, "AxBy", {2, 3, 3});
+  CHECK_EQ(report.missing, 1);
+  CHECK_EQ(report.first_missing, 'y');
+  // Spaces and what shows nothing are no missing characters.
+  report = {};
+  check_replaced(report, "A\u200b\u0301B", {2, 3});
+  CHECK_EQ(report.status, Status::ok);
+}
+
+TEST(measures_and_boxes_know_what_is_missing) {
+  const Font font = sample();
+  const Sink sink;
+  TextReport report;
+  report.instead = TextReport::kNothing;
+  const Painter painter(sink, {}, nullptr, &report);
+  CHECK_EQ(painter.measure(font, kStyle, "AxB").advance.raw,
+           Painter().measure(font, kStyle, "AB").advance.raw);
+  const Rect box = painter.box(font, kStyle, {3, 40}, "xAx");
+  const Rect same = Painter().box(font, kStyle, {3, 40}, "A");
+  CHECK_EQ(box.x0, same.x0);
+  CHECK_EQ(box.x1, same.x1);
+  CHECK_EQ(report.missing, 3);
+}
+
+}  // namespace
