@@ -29,7 +29,7 @@ class PreparedGlyph {
   /// each point and the rest to rows: 2.5 KB hold every glyph of a Latin face
   /// and 16 rows of 96 px. The picture is that of Painter::glyph.
   ///
-  /// buffer_small: the workspace has less than 824 bytes, or 900 where pointers
+  /// buffer_small: the workspace has less than 792 bytes, or 868 where pointers
   /// have 64 bits. no_glyph: there is no glyph of this id. unsupported: it is
   /// not one of outlines. `out` is untouched unless the result is ok.
   static Status make(const Font& font,

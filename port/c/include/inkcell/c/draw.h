@@ -175,7 +175,7 @@ typedef struct INKCELL_SHARED inkcell_prepared_glyph_t {
 /// Places a glyph. `ram` is in use as long as `out` is: 8 bytes for each point,
 /// the rest for rows; 2.5 KB hold every glyph of a Latin face.
 ///
-/// BUFFER_SMALL: `ram` has less than 824 bytes, or 900 where pointers have 64
+/// BUFFER_SMALL: `ram` has less than 792 bytes, or 868 where pointers have 64
 /// bits. NO_GLYPH: there is no glyph of this id. UNSUPPORTED: it is not one of
 /// outlines.
 inkcell_status_t inkcell_prepared_glyph_make(const inkcell_font_t* font,
