@@ -67,10 +67,11 @@ class AcrossFit {
       }
       squeeze(is_symmetric, most, total);
     }
-    // The middle of the ink stays where it is, as far as there is room.
+    // The middle of the ink stays where it is, as far as there is room. Halves,
+    // and what is near, are behind it, so that letters alike begin alike.
     const int32_t free = whole - total;
     const int32_t middle =
-        round_px((free + left_.designed - right_.designed) >> 1);
+        round_px(((free + left_.designed - right_.designed) >> 1) - kPx / 4);
     left_.fitted = max(min(middle, before + most - total), before);
     right_.fitted = free - left_.fitted;
     stems_[0].gap = left_.fitted;
@@ -141,12 +142,8 @@ class AcrossFit {
                              width);
       }
       const int32_t cell = whole_width(width);
-      if (fit_.levels_ == 2) {
-        width = cell;
-      } else {
-        // No thinner than kLeastStroke.
-        width = min(max(width, cell - kStemShoulder), cell + kStemShoulder);
-      }
+      // No thinner than kLeastStroke.
+      width = min(max(width, cell - shoulder()), cell + shoulder());
       add(hint.left_u, hint.right_u, cell, width);
     }
   }
@@ -260,10 +257,7 @@ class AcrossFit {
     for (Stem* stem = stems_; most != kPx && stem != end_; ++stem) {
       if (stem->cell == most) {
         stem->cell -= kPx;
-        stem->width = min(stem->width, stem->cell + kStemShoulder);
-        if (fit_.levels_ == 2) {
-          stem->width = stem->cell;
-        }
+        stem->width = min(stem->width, stem->cell + shoulder());
         total -= kPx;
       }
     }
@@ -295,6 +289,9 @@ class AcrossFit {
   static constexpr int32_t kSerif = 1 << 12;
 
   bool has_stems() const noexcept { return end_ > stems_ + 2; }
+  int32_t shoulder() const noexcept {
+    return fit_.levels_ == 2 ? 0 : kStemShoulder;
+  }
 
   const Fit& fit_;
   Room left_ = {0, 0};

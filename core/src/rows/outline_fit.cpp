@@ -137,20 +137,21 @@ int32_t join(const Font& font,
   int32_t more = 0;
   if (abs(drift) > kMostDrift &&
       abs(advance - font.advance(pair.right)) * 32 >= advance) {
-    // A blank gives a pixel in front from 3 px on, another one behind from 8.
+    // A blank gives a pixel in front from 4 px on, from 3 px if the pen is far
+    // ahead, and another one behind from 8.
+    const bool is_far = abs(drift) > kMostInWord;
     int32_t blank_px = 0;
     bool has_blank = is_blank(font, pair.left);
     if (has_blank) {
       blank_px = advance_px - 7;
     } else if (is_blank(font, pair.right)) {
       has_blank = true;
-      blank_px = fitter.advance_px(font, style, pair.right) - 2;
+      blank_px = fitter.advance_px(font, style, pair.right) - (is_far ? 2 : 3);
     }
-    const bool is_far = !has_blank && abs(drift) > kMostInWord;
     if (drift < 0) {
       more = has_blank || is_far ? 1 : 0;
     } else if (blank_px > 0 ||
-               (is_far && count_digits(font, pair) == 0 &&
+               (is_far && !has_blank && count_digits(font, pair) == 0 &&
                 room_to_kern(font, style, pair, kerning_q6) > -px)) {
       more = -1;
     }
