@@ -99,8 +99,8 @@ LENT = (0, 512, 1024, 2560)
 MOST_WITHOUT_RAM = 1.9
 # What a line takes of the stack then, at most, on m0 in C++: where text is fitted
 # by itself, and elsewhere. [bytes]
-STACK_WITHOUT_RAM = {"grey2": 1864, "mono_rows": 1864, "mono_pages": 1864}
-OTHER_STACK_WITHOUT_RAM = 1392
+STACK_WITHOUT_RAM = {"grey2": 1924, "mono_rows": 1924, "mono_pages": 1924}
+OTHER_STACK_WITHOUT_RAM = 1476
 DIGITS = ("48", "57")
 # Generated fields: half width of the band, tolerances. [u, 1/1024 u]
 BAND = "32"

@@ -33,8 +33,8 @@ class RunCursor {
     at.glyph = glyph.glyph;
   }
 
-  // The width of a run of `units`, behind its last glyph.
-  int32_t advance(int32_t units) const noexcept {
+  // The width of a run of `units`, behind its last glyph. Not inline, likewise.
+  __attribute__((noinline)) int32_t advance(int32_t units) const noexcept {
     if (style_ == nullptr) {
       return units;
     }
