@@ -20,7 +20,7 @@ PORT = ROOT / "port/c"
 HEADERS = PORT / "include/inkcell/c"
 EXAMPLES = PORT / "examples"
 # What the table does not make.
-BY_HAND = {"src/mirror.hpp"}
+BY_HAND = {"src/mirror.hpp", "src/painter_of.cpp"}
 LIBRARIES = ["port/c/libinkcell_port_c.a", "port/pixel/libinkcell_port_pixel.a",
              "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
              "core/field/libinkcell_field.a", "core/kinetic/libinkcell_kinetic.a",

@@ -54,7 +54,7 @@ CALLS_BIDI = {
 }
 # Who asks a fitter for advances.
 CALLS_FITTER = ["has_whole_advances", "advance", "advances", "own_units", "to_units",
-                "to_whole_px", "Pen", "RunCursor"]
+                "to_whole_px", "Pen", "RunCursor", "join"]
 
 # Who asks a canvas to adapt a style or draws, and who the pages of a stored font.
 CALLS_SINK = ["draw_line", "draw_lines", "place_near", "measure", "lay_out"]
@@ -170,9 +170,9 @@ def check_level(level, work):
             depth, chain = chains.below(symbol)
             path = " > ".join(f"{short(names[s])} {stack[s]}" for s in chain)
             print(f"{level} {depth:4} B: {path}")
-            # A box that is drawn keeps the style that a canvas adapts.
-            limit = LIMITS["layout"][
-                entry if entry == "TextBox::draw" else "others"]
+            # A box that is drawn or measured in pixels keeps the style that a
+            # canvas adapts.
+            limit = LIMITS["layout"].get(entry, LIMITS["layout"]["others"])
             if depth > limit:
                 problems.append(f"{level} {entry}: {depth} bytes of stack, "
                                 f"{limit} are allowed")

@@ -21,6 +21,27 @@ Font sample() {
 
 constexpr Style kStyle = Style(20_px, kFilterText);
 
+uint32_t without_accents(uint32_t code_point) noexcept {
+  return code_point == 0xC4 ? uint32_t{'A'} : code_point;
+}
+
+// As docs/PORTING.md has it.
+TextReport show(const Font& font, const Style& style, Point pen, Text words) {
+  const Sink canvas;
+  TextReport report;
+  report.instead = '?';  // or TextReport::kNothing
+  report.substitute = without_accents;  // yours: a code point for another
+  const Painter painter(canvas, {}, nullptr, &report);
+  painter.text(font, style, pen, words);
+  return report;
+}
+
+TEST(a_report_tells_of_what_is_drawn) {
+  const TextReport report = show(sample(), kStyle, {0, 40}, "\u00c4\u00d6");
+  CHECK_EQ(report.missing, 1);
+  CHECK_EQ(report.first_missing, 0xD6);
+}
+
 // The glyphs that a painter with a report lays out.
 template <size_t kCount>
 void check_replaced(TextReport& report,

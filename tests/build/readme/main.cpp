@@ -62,7 +62,8 @@ inkcell::Status page(const inkcell::Font& font,
   box.draw("A paragraph that wraps", sink);
   inkcell::PositionedGlyph glyphs[32];
   inkcell::ScrollingLabel label;
-  INKCELL_TRY(inkcell::ScrollingLabel::make(box.options, "A title that scrolls",
+  INKCELL_TRY(inkcell::ScrollingLabel::make(box.options, {},
+                                            "A title that scrolls",
                                             {0, 64, 160, 96}, glyphs, label));
   label.draw_endless(scroll, inkcell::Q26_6::from_int(16), sink);
   return inkcell::Status::ok;
