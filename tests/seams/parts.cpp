@@ -161,10 +161,9 @@ bool is_ascii(const Font& font, uint16_t glyph) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
+  if (argc != 4) {
     std::fprintf(stderr,
-                 "parts <font.bin> <most lacks as designed> <fitted> "
-                 "<of ASCII>\n");
+                 "parts <font.bin> <most lacks as designed> <fitted>\n");
     return 2;
   }
   const RomFile file(argv[1]);
@@ -216,7 +215,7 @@ int main(int argc, char** argv) {
       "fitted      %6d pictures, %5d lack a part, %d of ASCII\n",
       with_parts, tallies[0].pictures, tallies[0].lost, tallies[1].pictures,
       tallies[1].lost, ascii);
-  bool is_good = with_parts > 0 && ascii <= std::atoi(argv[4]);
+  bool is_good = with_parts > 0 && ascii == 0;
   for (int i = 0; i < 2; ++i) {
     is_good = is_good && tallies[i].lost * 1000 <=
                              std::atoi(argv[2 + i]) * tallies[i].pictures;

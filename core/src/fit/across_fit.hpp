@@ -54,8 +54,9 @@ class AcrossFit {
     left_.designed = stems_[0].gap;
     // The left column is free in all glyphs but those that overhang.
     const int32_t before = least_room(left_.designed, kPx);
-    const int32_t most = whole - before - least_room(right_.designed, 0);
     const bool is_symmetric = hints.is_symmetric();
+    const int32_t most = max(whole - before - least_room(right_.designed, 0),
+                             least_ink(is_symmetric, right_u - left_u));
     int32_t total = 0;
     if (is_stemless) {
       total = whole_ink(is_symmetric, most);
@@ -72,7 +73,8 @@ class AcrossFit {
     const int32_t free = whole - total;
     const int32_t middle =
         round_px(((free + left_.designed - right_.designed) >> 1) - kPx / 4);
-    left_.fitted = max(min(middle, before + most - total), before);
+    const int32_t last = free - least_room(right_.designed, 0);
+    left_.fitted = max(min(middle, last), min(before, max(last, 0)));
     right_.fitted = free - left_.fitted;
     stems_[0].gap = left_.fitted;
   }
@@ -193,6 +195,13 @@ class AcrossFit {
       least = kPx;
     }
     return total;
+  }
+
+  // Two dots or bars side by side need a pixel each, and one between them.
+  int32_t least_ink(bool is_symmetric, int32_t width_u) const noexcept {
+    return fit_.levels_ == 2 && is_symmetric && fit_.px_q6(width_u) > kPx
+               ? 3 * kPx
+               : kPx;
   }
 
   // The width of ink without stems. If the glyph is symmetric and stems are
