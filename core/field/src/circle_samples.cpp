@@ -96,8 +96,10 @@ class PixelSamples {
   void set(uint32_t i, int32_t right_q10, int32_t up_q10) noexcept {
     const GlyphStep& right = style_.right();
     const GlyphStep& up = style_.up();
+    // cppcheck-suppress constStatement ; it is assigned to
     x_q16_[i] = static_cast<int32_t>(
         (int64_t{right.x_q16} * right_q10 + int64_t{up.x_q16} * up_q10) >> 10);
+    // cppcheck-suppress constStatement ; as above
     y_q16_[i] = static_cast<int32_t>(
         (int64_t{right.y_q16} * right_q10 + int64_t{up.y_q16} * up_q10) >> 10);
   }

@@ -157,6 +157,7 @@ bool Polyline::read(OutlineGlyph& glyph,
   PixelPoint edge[3] = {};
   bool is_bent = false;
   glyph.rewind();
+  // cppcheck-suppress danglingTemporaryLifetime ; none is one
   while (!glyph.is_done() && !pen.is_full) {
     ScreenPoint points[8];
     walk_contours(whole, edge, is_bent, points, glyph.read(points, 8), pen);

@@ -146,19 +146,19 @@ void spread_to(int8_t* at, int32_t stride) noexcept {
 
 }  // namespace
 
-void redistance(const DistanceGrid& from,
-                DistanceGrid& grid,
+void redistance(const DistanceGrid& grid,
+                DistanceGrid& out,
                 int32_t first_row,
                 int32_t end_row) noexcept {
-  if (from.width() != grid.width() || from.height() != grid.height() ||
-      from.width() == 0) {
+  if (grid.width() != out.width() || grid.height() != out.height() ||
+      grid.width() == 0) {
     return;
   }
-  const Rows rows = {max(first_row, 0), min(end_row, grid.height())};
-  mark(from, rows, grid);
+  const Rows rows = {max(first_row, 0), min(end_row, out.height())};
+  mark(grid, rows, out);
   // The outermost samples keep what mark() gave them.
-  const int32_t width = grid.width();
-  const int32_t height = grid.height();
+  const int32_t width = out.width();
+  const int32_t height = out.height();
   for (int32_t order = 0; order < 4; ++order) {
     const int32_t step = (order & 1) != 0 ? -1 : 1;
     const int32_t top = max(rows.first, 1);
@@ -166,10 +166,10 @@ void redistance(const DistanceGrid& from,
     for (int32_t i = top; i < bottom; ++i) {
       const int32_t y = (order & 2) != 0 ? top + bottom - 1 - i : i;
       // Distances reach 4 samples: no other samples change.
-      const KnownSpan span = span_around(grid, y, 5);
+      const KnownSpan span = span_around(out, y, 5);
       const int32_t first = max(span.first, 1);
       const int32_t end = min(span.end, width - 1);
-      int8_t* at = grid.row(y) + (step > 0 ? first : end - 1);
+      int8_t* at = out.row(y) + (step > 0 ? first : end - 1);
       for (int32_t x = first; x < end; ++x, at += step) {
         spread_to(at, width);
       }
