@@ -332,7 +332,7 @@ bool paint_edge(const Band& band,
                 const PixelPoint* points,
                 bool is_bent) noexcept {
   const PixelPoint* begin = points;
-  const PixelPoint* end = points + 2;
+  const PixelPoint* const end = points + 2;
   if (!band.is_whole &&
       is_outside(band, begin->y, points[is_bent ? 1 : 2].y, end->y)) {
     return true;
@@ -344,7 +344,6 @@ bool paint_edge(const Band& band,
   const bool is_steep = height >= width;
   if ((is_steep ? d_along : d_across) < 0) {
     begin = end;
-    end = points;
     d_across = -d_across;
     d_along = -d_along;
   }
