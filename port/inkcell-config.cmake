@@ -1,7 +1,7 @@
 # The installed package: targets inkcell::core, its libraries (inkcell::cache,
-# inkcell::kinetic, inkcell::layout, inkcell::stored), inkcell::port_* and
-# inkcell::c, which the project that asks compiles itself, and the function
-# inkcell_add_font().
+# inkcell::layout, inkcell::motion, inkcell::simulation, inkcell::stored),
+# inkcell::port_* and inkcell::c, which the project that asks compiles itself,
+# and the function inkcell_add_font().
 cmake_policy(VERSION 3.25)
 
 if(NOT TARGET inkcell_core)

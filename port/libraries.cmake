@@ -3,8 +3,8 @@
 # and displays, and the libraries of libraries.kconfig.
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(parts core port/pixel port/display)
-foreach(part core/cache core/field core/kinetic core/layout core/stored
-    port/c)
+foreach(part core/cache core/field core/layout core/motion core/simulation
+    core/stored port/c)
   get_filename_component(name ${part} NAME)
   string(TOUPPER ${name} name)
   if(CONFIG_INKCELL_${name})

@@ -102,8 +102,8 @@ Size read_size(const std::string& text) {
 }
 
 // The styles of --print.
-const std::map<std::string, kinetic::PrintStyle>& print_styles() {
-  using kinetic::PrintStyle;
+const std::map<std::string, simulation::PrintStyle>& print_styles() {
+  using simulation::PrintStyle;
   static const std::map<std::string, PrintStyle> styles = {
       {"rings", PrintStyle::rings},
       {"engraving", PrintStyle::engraving},
@@ -422,7 +422,7 @@ void run(Arguments& arguments, const CLI::App& app) {
     return;
   }
   const SceneKind& kind = find_scene(arguments.scene);
-  std::optional<kinetic::PrintStyle> print;
+  std::optional<simulation::PrintStyle> print;
   if (!arguments.print.empty()) {
     if (arguments.scene != "figure15") {
       throw std::runtime_error("--print: " + arguments.scene +

@@ -11,7 +11,7 @@
 #include "clock_scene.hpp"
 #include "count_scene.hpp"
 #include "icon_scene.hpp"
-#include "inkcell/kinetic/body_draw.hpp"
+#include "inkcell/simulation/body_draw.hpp"
 #include "letters_scene.hpp"
 #include "melt_scene.hpp"
 #include "offset_scene.hpp"
@@ -28,6 +28,8 @@
 namespace inkcell::tools {
 namespace {
 
+using simulation::PrintStyle;
+
 constexpr size_t kWorkspaceBytes = 4096;
 
 // The coverage of a body for each pixel of its box. Through a filter of +-4 px
@@ -36,11 +38,11 @@ struct DrawnBody {
   Rect box;
   std::vector<uint8_t> coverage;
 
-  DrawnBody(Span<const kinetic::Body> bodies,
+  DrawnBody(Span<const simulation::Body> bodies,
             size_t index,
-            const kinetic::BodyRules& rules,
+            const simulation::BodyRules& rules,
             const Filter& filter)
-      : box(intersect(kinetic::box_of(bodies[index]), rules.walls)) {
+      : box(intersect(simulation::box_of(bodies[index]), rules.walls)) {
     if (bodies[index].shape == nullptr || is_empty(box)) {
       box = {};
       return;
@@ -58,7 +60,7 @@ struct DrawnBody {
       std::fill_n(static_cast<DrawnBody*>(context)->at(x, y), count,
                   uint8_t{255});
     };
-    kinetic::draw_body(bodies, index, rules, filter, sink);
+    simulation::draw_body(bodies, index, rules, filter, sink);
   }
   uint8_t* at(int x, int y) {
     return &coverage[static_cast<size_t>(y - box.y0) *
@@ -69,12 +71,12 @@ struct DrawnBody {
 
 // The deepest overlap of two bodies: as drawn, or else beyond what rules allow.
 // Where two edges overlap by d, the middle is d / 2 inside of both.
-double penetration_of(Span<const kinetic::Body> bodies,
-                      const kinetic::BodyRules& rules,
+double penetration_of(Span<const simulation::Body> bodies,
+                      const simulation::BodyRules& rules,
                       bool is_drawn) {
   std::vector<DrawnBody> drawn;
   for (size_t i = 0; i < bodies.size; ++i) {
-    drawn.emplace_back(bodies, i, rules, kinetic::kFilterDistance);
+    drawn.emplace_back(bodies, i, rules, motion::kFilterDistance);
   }
   double most = 0;
   for (size_t i = 0; i < drawn.size(); ++i) {
@@ -99,24 +101,24 @@ double penetration_of(Span<const kinetic::Body> bodies,
   return most;
 }
 
-double ink_of(Span<const kinetic::Body> bodies,
+double ink_of(Span<const simulation::Body> bodies,
               size_t index,
-              const kinetic::BodyRules& rules) {
+              const simulation::BodyRules& rules) {
   const DrawnBody drawn(bodies, index, rules, kFilterMotion);
   return std::accumulate(drawn.coverage.begin(), drawn.coverage.end(), 0.0);
 }
 
-BodyFigures figures_of(Span<const kinetic::Body> bodies,
-                       const kinetic::BodyRules& rules) {
+BodyFigures figures_of(Span<const simulation::Body> bodies,
+                       const simulation::BodyRules& rules) {
   // The same bodies, without neighbours and walls.
-  std::vector<kinetic::Body> rigid(bodies.begin(), bodies.end());
-  for (kinetic::Body& body : rigid) {
-    for (kinetic::BodyTouch& touch : body.touches) {
+  std::vector<simulation::Body> rigid(bodies.begin(), bodies.end());
+  for (simulation::Body& body : rigid) {
+    for (simulation::BodyTouch& touch : body.touches) {
       touch = {};
     }
   }
-  const Span<const kinetic::Body> undeformed = {rigid.data(), rigid.size()};
-  kinetic::BodyRules open = rules;
+  const Span<const simulation::Body> undeformed = {rigid.data(), rigid.size()};
+  simulation::BodyRules open = rules;
   open.walls = {-8191, -8191, 8191, 8191};
   BodyFigures figures;
   figures.drawn = penetration_of(bodies, rules, true);
@@ -133,10 +135,10 @@ BodyFigures figures_of(Span<const kinetic::Body> bodies,
       figures.greatest_body_ink =
           std::max(figures.greatest_body_ink, now / alone);
     }
-    const kinetic::Body& body = bodies[i];
+    const simulation::Body& body = bodies[i];
     bool is_off = body.still_steps > 0;
-    for (const kinetic::BodyTouch& touch : body.touches) {
-      is_off = is_off && touch.with != kinetic::BodyTouch::kWalls + 3;
+    for (const simulation::BodyTouch& touch : body.touches) {
+      is_off = is_off && touch.with != simulation::BodyTouch::kWalls + 3;
     }
     figures.off_floor += is_off ? 1 : 0;
   }
@@ -153,7 +155,7 @@ class ScenePlayer : public Player {
               std::string_view text,
               int width,
               int height,
-              std::optional<kinetic::PrintStyle> print)
+              std::optional<PrintStyle> print)
       : grid_(needs_of(font, text, width, height).grid),
         particles_(Scene::needs(width, height).particles),
         homes_(Scene::needs(width, height).homes),
@@ -219,8 +221,8 @@ class ScenePlayer : public Player {
   }
 
   std::vector<int8_t> grid_;
-  std::vector<kinetic::Particle> particles_;
-  std::vector<kinetic::ParticleHome> homes_;
+  std::vector<simulation::Particle> particles_;
+  std::vector<simulation::ParticleHome> homes_;
   alignas(4) std::array<uint8_t, kWorkspaceBytes> workspace_{};
   Scene scene_;
 };
@@ -237,7 +239,7 @@ SceneKind kind_of(std::string_view name,
       takes,
       morphs,
       [](const Font& font, std::string_view text, int width, int height,
-         std::optional<kinetic::PrintStyle> print) -> std::unique_ptr<Player> {
+         std::optional<PrintStyle> print) -> std::unique_ptr<Player> {
         return std::make_unique<ScenePlayer<Scene>>(font, text, width, height,
                                                     print);
       }};
@@ -304,7 +306,7 @@ std::unique_ptr<Player> open_scene(const SceneKind& kind,
                                    std::string_view text,
                                    int width,
                                    int height,
-                                   std::optional<kinetic::PrintStyle> print) {
+                                   std::optional<PrintStyle> print) {
   std::unique_ptr<Player> player = kind.make(font, text, width, height, print);
   const Status status = player->open();
   if (status != Status::ok) {

@@ -11,7 +11,7 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/print_draw.hpp"
+#include "inkcell/simulation/print_draw.hpp"
 #include "inkcell/status.hpp"
 #include "paper.hpp"
 
@@ -65,7 +65,7 @@ struct SceneKind {
                                   std::string_view text,
                                   int width,
                                   int height,
-                                  std::optional<kinetic::PrintStyle> print);
+                                  std::optional<simulation::PrintStyle> print);
 };
 
 /// All scenes.
@@ -80,6 +80,6 @@ std::unique_ptr<Player> open_scene(
     std::string_view text,
     int width,
     int height,
-    std::optional<kinetic::PrintStyle> print = std::nullopt);
+    std::optional<simulation::PrintStyle> print = std::nullopt);
 
 }  // namespace inkcell::tools

@@ -24,18 +24,22 @@
 # of the Makefile.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
-# needs pixel), cache, field, kinetic, layout, stored, c (which needs all but stored).
-# Set it before the include; by default it is pixel and display.
+# needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
+# c (which needs all but simulation and stored). Set it before the include; by default
+# it is pixel and display.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_LIBRARIES ?= pixel display
-INKCELL_KNOWN := pixel display cache field kinetic layout stored c
+INKCELL_KNOWN := pixel display cache field layout motion simulation stored c
 ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
   $(error INKCELL_LIBRARIES: there is no $(filter-out $(INKCELL_KNOWN),\
     $(INKCELL_LIBRARIES)); there are $(INKCELL_KNOWN))
 endif
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache field kinetic layout display
+  override INKCELL_LIBRARIES += cache field layout motion display
+endif
+ifneq ($(filter simulation,$(INKCELL_LIBRARIES)),)
+  override INKCELL_LIBRARIES += motion
 endif
 ifneq ($(filter display,$(INKCELL_LIBRARIES)),)
   override INKCELL_LIBRARIES += pixel
@@ -43,7 +47,7 @@ endif
 INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(sort \
-  $(addprefix $(INKCELL)/core/,$(filter cache field kinetic layout stored,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/core/,$(filter cache field layout motion simulation stored,$(INKCELL_LIBRARIES))) \
   $(addprefix $(INKCELL)/port/,$(filter pixel display c,$(INKCELL_LIBRARIES))))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))

@@ -1,5 +1,5 @@
-// A glyph between two others: inkcell/kinetic/morph.hpp.
-#include "inkcell/kinetic/morph.hpp"
+// A glyph between two others: inkcell/motion/morph.hpp.
+#include "inkcell/motion/morph.hpp"
 
 #include "web.h"
 
@@ -8,9 +8,9 @@ using namespace inkcell;
 namespace {
 
 // Grids of three boxes of 96 px, with a sample a pixel.
-constexpr size_t kGridBytes = kinetic::morph_bytes({96, 128, 0, 0});
+constexpr size_t kGridBytes = motion::morph_bytes({96, 128, 0, 0});
 int8_t grids[kGridBytes];
-kinetic::GridHistogram scratch;
+motion::GridHistogram scratch;
 
 }  // namespace
 
@@ -33,9 +33,9 @@ inkcell_status_t web_morph(const web_job_t* job,
   }
   // The types of C are those of C++ in the same memory (port/c/src/mirror.hpp).
   const Font& font = reinterpret_cast<const Font&>(opened);
-  kinetic::GlyphMorph morph(font, Q26_6::from_raw(job->size_q6), kFilterMotion,
-                            {width, height, baseline, job->size_q6 >= 80 * 64},
-                            {grids, kGridBytes});
+  motion::GlyphMorph morph(font, Q26_6::from_raw(job->size_q6), kFilterMotion,
+                           {width, height, baseline, job->size_q6 >= 80 * 64},
+                           {grids, kGridBytes});
   const Status set =
       morph.set(font.glyph_or_notdef(from), font.glyph_or_notdef(to));
   if (set == Status::ok) {

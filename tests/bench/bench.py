@@ -74,7 +74,7 @@ WHAT = {
     "modes": "every way that glyphs can look, at 12 and 24 px",
     "cache": "glyphs that a cache holds, and bitmaps of 4 bits",
     "field": "fields generated from outlines",
-    "kinetic": "type that moves: morphs, particles, scenes",
+    "moving": "type that moves: morphs, particles, scenes",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
     "lvgl": "labels and glyphs in LVGL, on m3",
@@ -590,11 +590,11 @@ def measure_fields(firmware, font):
                "code": kept.get(("inkcell_core", "code"), 0)}
 
 
-def measure_kinetic(firmware, font):
+def measure_moving(firmware, font):
     """What type that moves takes, and its code by module."""
     name = firmware.fonts.files[font, "inkcell", "outline"]
     about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
-    for what, numbers in firmware.run("kinetic", name):
+    for what, numbers in firmware.run("moving", name):
         if what == "morph":
             px, scale, mean, most, take, stack, ram = numbers
             yield {"figure": "morph", **about, "px": px, "scale_log2": scale,
@@ -622,9 +622,11 @@ def measure_kinetic(firmware, font):
                    "height": height, "instructions_mean": mean,
                    "instructions_max": most, "instructions_whole": whole,
                    "stack": stack, "ram": ram}
-    modules = kept_modules(firmware.folder / "kinetic.map", "inkcell_kinetic")
-    yield {"figure": "kinetic_code", **about, **modules,
-           "total": sum(modules.values())}
+    for library in ("motion", "simulation"):
+        modules = kept_modules(firmware.folder / "moving.map",
+                               f"inkcell_{library}")
+        yield {"figure": f"{library}_code", **about, **modules,
+               "total": sum(modules.values())}
 
 
 def measure_others(firmware, arguments, upright, pictures):
@@ -643,10 +645,10 @@ def measure_others(firmware, arguments, upright, pictures):
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
                 yield from measure_canvases(firmware, font)
-    if "kinetic" in arguments.what:
+    if "moving" in arguments.what:
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
-                yield from measure_kinetic(firmware, font)
+                yield from measure_moving(firmware, font)
     if "bound" in arguments.what and "field" in arguments.coding:
         for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
             px, pixels, instructions, stack = numbers
@@ -709,7 +711,7 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets |= ({"bound", "cache", "field", "kinetic", "modes", "rgb565"} &
+    targets |= ({"bound", "cache", "field", "modes", "moving", "rgb565"} &
                 set(arguments.what))
     if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")

@@ -23,7 +23,7 @@ EXAMPLES = PORT / "examples"
 BY_HAND = {"src/mirror.hpp", "src/painter_of.cpp"}
 LIBRARIES = ["port/c/libinkcell_port_c.a", "port/pixel/libinkcell_port_pixel.a",
              "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
-             "core/field/libinkcell_field.a", "core/kinetic/libinkcell_kinetic.a",
+             "core/field/libinkcell_field.a", "core/motion/libinkcell_motion.a",
              "core/libinkcell_core.a"]
 
 # How each example is called, with a font that is none.

@@ -19,7 +19,7 @@ MODULE = ROOT / "port/micropython/inkcell/inkcell_module.c"
 HERE = ROOT / "tests/build/micropython"
 LIBRARIES = ["port/c/libinkcell_port_c.a", "port/display/libinkcell_port_display.a",
              "port/pixel/libinkcell_port_pixel.a",
-             "core/kinetic/libinkcell_kinetic.a", "core/layout/libinkcell_layout.a",
+             "core/motion/libinkcell_motion.a", "core/layout/libinkcell_layout.a",
              "core/cache/libinkcell_cache.a",
              "core/field/libinkcell_field.a", "core/libinkcell_core.a"]
 # Parts of the unix port that need more than its own sources.

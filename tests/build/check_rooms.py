@@ -1,7 +1,7 @@
 """Checks the rooms of core and fonts_gen: the folders of their sources.
 
 Each library of core is one room over core/src. It may use core's public headers,
-its own, and the rooms of LIBRARIES.
+its own, and what LIBRARIES names: rooms, and public headers of other libraries.
 
 A room uses the rooms that the tables below name, which stand before it, and no
 others. It has a README of three lines, the first of which is its promise. A
@@ -31,12 +31,14 @@ CORE = {
     "verify": "font outlines",
 }
 
-# Folders of core that are libraries, and the rooms of core/src that each may use.
+# Folders of core that are libraries, and what each may use: rooms of core/src, and
+# public headers of libraries that stand before it (inkcell/motion).
 LIBRARIES = {
     "cache": "base rows text",
     "field": "base place outlines rows",
-    "kinetic": "base place outlines rows",
     "layout": "text",
+    "motion": "base place outlines rows",
+    "simulation": "base inkcell/motion",
     "stored": "base font place outlines rows",
 }
 
@@ -202,13 +204,19 @@ def check_public():
 def check_library(library):
     """Includes of a library of core, and sources that are not their header's."""
     problems = check_promise(f"core/{library}")
-    public = {"inkcell", "inkcell/format", f"inkcell/{library}"}
+    may_use = LIBRARIES[library].split()
+    others = {name for name in may_use if name.startswith("inkcell/")}
+    known = list(LIBRARIES)
+    problems += [f"core/{library}: the table lets it use {other}, which does not "
+                 "stand before it" for other in sorted(others)
+                 if other.removeprefix("inkcell/") not in
+                 known[:known.index(library)]]
+    public = {"inkcell", "inkcell/format", f"inkcell/{library}", *others}
     for path in sorted((ROOT / "core" / library).glob("**/*.[hc]pp")):
         name = str(path.relative_to(ROOT))
         text = path.read_text()
         headers = INCLUDE.findall(text)
-        allowed = public if "include" in path.parts else {
-            *public, *LIBRARIES[library].split()}
+        allowed = public if "include" in path.parts else {*public, *may_use}
         problems += [f"{name}: {library} may not use {header}"
                      for header in headers if room_of(header) not in allowed]
         own = {f"inkcell/{library}/{path.stem}.hpp", f"{path.stem}.hpp"}

@@ -21,11 +21,11 @@ SAMPLES = {"esp_idf": ROOT / "port/esp_idf/example/main",
            "zephyr": ROOT / "port/zephyr/sample/src",
            "board": ROOT / "boards/example",
            "animating": HERE / "animating"}
-LIBRARIES = ["core/kinetic/libinkcell_kinetic.a", "core/layout/libinkcell_layout.a",
+LIBRARIES = ["core/motion/libinkcell_motion.a", "core/layout/libinkcell_layout.a",
              "port/display/libinkcell_port_display.a",
              "port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
 INCLUDES = [f"-I{ROOT / path}" for path in
-            ("core/include", "core/kinetic/include", "core/layout/include",
+            ("core/include", "core/motion/include", "core/layout/include",
              "port/pixel/include", "port/display/include", "boards/common")]
 
 

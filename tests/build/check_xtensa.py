@@ -17,7 +17,7 @@ from toolchains import (DEVICE_FLAGS, INCLUDES, LAUNCHER, ROOT, WARNINGS,
 CXX = "xtensa-lx106-elf-g++"
 HERE = ROOT / "tests/build/xtensa"
 LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/layout/libinkcell_layout.a",
-             "core/kinetic/libinkcell_kinetic.a", "core/libinkcell_core.a"]
+             "core/motion/libinkcell_motion.a", "core/libinkcell_core.a"]
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 

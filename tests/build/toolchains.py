@@ -10,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # of limits.py
 
 # The folders of core that are libraries of their own.
-LIBRARIES = ("cache", "field", "kinetic", "layout", "stored")
+LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored")
 
 # What the device library is compiled with: core/CMakeLists.txt.
 DEVICE_FLAGS = [

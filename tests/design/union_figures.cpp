@@ -17,15 +17,15 @@
 #include <vector>
 
 #include "component/csg.hpp"
-#include "inkcell/kinetic/combine.hpp"
+#include "inkcell/simulation/combine.hpp"
 #include "stroke/stroke.hpp"
 
 namespace inkcell::design {
 namespace {
 
 using gen::Point;
-using kinetic::DistanceGrid;
-using kinetic::GridPart;
+using motion::DistanceGrid;
+using simulation::GridPart;
 
 constexpr int kMostParts = 6;
 constexpr int kSizes_px[] = {8, 10, 12, 16, 24, 32, 48, 64};
@@ -145,7 +145,7 @@ void measure_pixel(const Screen& screen,
   const bool is_edge = std::fabs(d) < 1;
   const double covered = is_edge ? area(screen, whole, x, y) : filtered;
   result.edge_pixels += is_edge ? 1 : 0;
-  const kinetic::GridPoint at = kinetic::combined_at(
+  const motion::GridPoint at = simulation::combined_at(
       {parts.data(), parts.size()}, middle(x), middle(y), kFilterText);
   result.combined.add(coverage(at.distance_q10), filtered, covered);
   int most = -128;

@@ -1,7 +1,7 @@
 // Writes the seeds of the corpora: fonts as small as they can be, and outlines.
 //
 //   fuzz_make_seeds tests/fuzz/corpus tests/fuzz/corpus_outline
-//     tests/fuzz/corpus_kinetic
+//     tests/fuzz/corpus_moving
 #include <stdio.h>
 
 #include <string>
@@ -168,10 +168,10 @@ Record one_cell(bool divided) {
 
 // Choices that look random, then a font. Numbers are shifted by their first
 // byte: `near` makes most of them small, so that things meet.
-bool write_kinetic_seed(const std::string& path,
-                        uint32_t number,
-                        bool near,
-                        const std::vector<uint8_t>& font) {
+bool write_moving_seed(const std::string& path,
+                       uint32_t number,
+                       bool near,
+                       const std::vector<uint8_t>& font) {
   constexpr size_t kChoices = 2500;
   std::vector<uint8_t> seed(2 + kChoices);
   put_u16(seed.data(), kChoices);
@@ -282,15 +282,14 @@ int main(int argc, char** argv) {
   written &= write_file(folder + "hinted_outlines.seed", hinted);
   written &= write_all_outline_seeds(std::string(argv[2]) + "/");
   const std::string moving = std::string(argv[3]) + "/";
-  written &= write_kinetic_seed(moving + "far.seed", 1, false, sample_font());
+  written &= write_moving_seed(moving + "far.seed", 1, false, sample_font());
   written &=
-      write_kinetic_seed(moving + "far_again.seed", 2, false, sample_font());
-  written &= write_kinetic_seed(moving + "near.seed", 3, true, sample_font());
+      write_moving_seed(moving + "far_again.seed", 2, false, sample_font());
+  written &= write_moving_seed(moving + "near.seed", 3, true, sample_font());
   written &=
-      write_kinetic_seed(moving + "near_again.seed", 4, true, sample_font());
+      write_moving_seed(moving + "near_again.seed", 4, true, sample_font());
+  written &= write_moving_seed(moving + "morph.seed", 5, true, morphing_font());
   written &=
-      write_kinetic_seed(moving + "morph.seed", 5, true, morphing_font());
-  written &=
-      write_kinetic_seed(moving + "morph_far.seed", 6, false, morphing_font());
+      write_moving_seed(moving + "morph_far.seed", 6, false, morphing_font());
   return written ? 0 : 1;
 }

@@ -5,7 +5,7 @@
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
 # New inputs gather in FOLDER/corpus, FOLDER/corpus_outline, FOLDER/corpus_stored
-# and FOLDER/corpus_kinetic, in a folder for each core, and are the start of the
+# and FOLDER/corpus_moving, in a folder for each core, and are the start of the
 # next run. A crash ends it with an exit code; its input is FOLDER/crash-*. Put
 # that into the folder of the same name in tests/fuzz, with the fix: CTest runs
 # all of them (fuzz.corpus, fuzz.corpus_outline and so on).
@@ -28,7 +28,8 @@ mkdir -p "$folder/objects"
 flags="-std=c++17 -O1 -g -fsanitize=address,undefined
   -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1
   -Icore/include -Icore/src -Icore/field/include
-  -Icore/kinetic/include -Icore/stored/include -Itests/unit -Itests/hostile"
+  -Icore/motion/include -Icore/simulation/include -Icore/stored/include
+  -Itests/unit -Itests/hostile"
 
 # Objects of the sources given, side by side.
 # shellcheck disable=SC2016,SC2086  # $2 is that of sh, flags are to be split
@@ -81,6 +82,6 @@ failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
 run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp
-compile core/kinetic/src/*.cpp
-run fuzz_kinetic corpus_kinetic 6000
+compile core/motion/src/*.cpp core/simulation/src/*.cpp
+run fuzz_moving corpus_moving 6000
 exit $failed

@@ -9,7 +9,7 @@
 #include "glyph_outlines.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
-#include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/motion/outline_morph.hpp"
 #include "inkcell/port/a8.hpp"
 #include "morph/find_morph.hpp"
 #include "morph/master_morph.hpp"
@@ -25,7 +25,7 @@
 namespace inkcell::gen::test {
 namespace {
 
-using kinetic::OutlineMorph;
+using motion::OutlineMorph;
 using Polygons = std::vector<std::vector<Point>>;
 
 constexpr int kSteps = 16;

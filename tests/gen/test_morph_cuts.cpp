@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "inkcell/filter.hpp"
-#include "inkcell/kinetic/outline_morph.hpp"
+#include "inkcell/motion/outline_morph.hpp"
 #include "inkcell/port/a8.hpp"
 #include "morph_font.hpp"
 #include "morph_reader.hpp"
@@ -14,7 +14,7 @@
 namespace inkcell::gen::test {
 namespace {
 
-using kinetic::OutlineMorph;
+using motion::OutlineMorph;
 
 constexpr int kCutSteps = 16;
 

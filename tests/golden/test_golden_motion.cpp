@@ -56,8 +56,8 @@ int8_t grid[most(
     most(kParticles.grid, kPrint.grid))];
 #endif
 static_assert(kOffsets.particles <= kParticles.particles, "there is room");
-kinetic::Particle particles[kParticles.particles];
-kinetic::ParticleHome homes[kParticles.homes];
+simulation::Particle particles[kParticles.particles];
+simulation::ParticleHome homes[kParticles.homes];
 alignas(4) uint8_t buffer[kWidth * kRows * 4];
 
 Font& golden_font() {

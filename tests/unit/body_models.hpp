@@ -6,14 +6,15 @@
 
 #include "check.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/bodies.hpp"
-#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/simulation/bodies.hpp"
 #include "outline_record.hpp"
 
 namespace body_models {
 
 using namespace inkcell;
-using namespace inkcell::kinetic;
+using namespace inkcell::motion;
+using namespace inkcell::simulation;
 using outline_record::OutlinePoint;
 
 inline constexpr int32_t kSide = 56;

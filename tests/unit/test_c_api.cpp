@@ -4,8 +4,8 @@
 #include "examples.h"
 #include "fonts.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
-#include "inkcell/kinetic/path.hpp"
 #include "inkcell/layout/text_box.hpp"
+#include "inkcell/motion/path.hpp"
 #include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/grey8.hpp"
@@ -271,16 +271,15 @@ TEST(text_on_a_circle_is_that_of_cpp) {
   inkcell_circle_box(&font, kText, INKCELL_TERMINATED, &style, &circle,
                      &pixels);
   const Style same(12_px);
-  const kinetic::TextCircle same_circle = {{32, 32},
-                                           20_px,
-                                           kinetic::from_degrees(270),
-                                           kinetic::CircleSide::inside,
-                                           Anchor::right};
+  const motion::TextCircle same_circle = {{32, 32},
+                                          20_px,
+                                          motion::from_degrees(270),
+                                          motion::CircleSide::inside,
+                                          Anchor::right};
   const port::Grey8Canvas canvas({by_cpp, 0, 0, kSide, kSide, kSide});
-  kinetic::draw_on_circle(canvas, open(), same, same_circle, kText);
+  motion::draw_on_circle(canvas, open(), same, same_circle, kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
-  const Rect box =
-      kinetic::draw_on_circle({}, open(), same, same_circle, kText);
+  const Rect box = motion::draw_on_circle({}, open(), same, same_circle, kText);
   CHECK(pixels.x0 == box.x0 && pixels.y0 == box.y0);
   CHECK(pixels.x1 == box.x1 && pixels.y1 == box.y1);
   style = {};

@@ -34,8 +34,8 @@ struct OpenFont {
 
 OpenFont motion;
 int8_t grid[some(kNeeds.grid)];
-kinetic::Particle particles[some(kNeeds.particles)];
-kinetic::ParticleHome homes[some(kNeeds.homes)];
+simulation::Particle particles[some(kNeeds.particles)];
+simulation::ParticleHome homes[some(kNeeds.homes)];
 alignas(4) uint8_t ram[some(kLentBytes)];
 
 Scene scene({&motion.font,

@@ -1,14 +1,15 @@
 // Letters fall one after the other; the floor kicks them; then it opens.
 #include "body_scene.hpp"
 
-#include "inkcell/kinetic/body_draw.hpp"
-#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/simulation/body_draw.hpp"
 
 namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
+using namespace simulation;
 
 constexpr uint32_t kBackground = 0x10131f;
 constexpr uint32_t kInks[] = {0xffb347, 0xff6b6b, 0x6bd5ff, 0xb78bff,
@@ -208,7 +209,8 @@ void BodyScene::step() noexcept {
     wake(phase == kKicks);
   }
   for (int32_t i = 0; i < kStepsPerFrame; ++i) {
-    kinetic::step({bodies_, static_cast<size_t>(count_)}, rules(), contacts_);
+    simulation::step({bodies_, static_cast<size_t>(count_)}, rules(),
+                     contacts_);
   }
   // Removes bodies that have left the screen at the bottom.
   for (Body& body : bodies_) {

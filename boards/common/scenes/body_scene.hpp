@@ -5,8 +5,8 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/bodies.hpp"
-#include "inkcell/kinetic/body_shape.hpp"
+#include "inkcell/simulation/bodies.hpp"
+#include "inkcell/simulation/body_shape.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -57,15 +57,15 @@ class BodyScene {
   void tell_state(const StateSink& sink) const noexcept;
 
   /// For tests: the letters on the screen, and the rules of their motion.
-  Span<const kinetic::Body> bodies() const noexcept {
+  Span<const simulation::Body> bodies() const noexcept {
     return {bodies_, static_cast<size_t>(count_)};
   }
-  kinetic::BodyRules rules() const noexcept;
+  simulation::BodyRules rules() const noexcept;
 
  private:
   static constexpr size_t kPoints = 60;
   // Contacts: each letter touches two others, and walls.
-  static constexpr size_t kContacts = kinetic::kContactsOfPair * 20;
+  static constexpr size_t kContacts = simulation::kContactsOfPair * 20;
 
   Status add_shape(uint16_t glyph,
                    const Rect& box,
@@ -83,15 +83,15 @@ class BodyScene {
   int32_t height_;
   Span<int8_t> memory_;
   Workspace workspace_;
-  kinetic::BodyShape shapes_[kMostLetters];
-  kinetic::BodyPoint points_[kMostLetters][kPoints];
+  simulation::BodyShape shapes_[kMostLetters];
+  simulation::BodyPoint points_[kMostLetters][kPoints];
   uint16_t glyphs_[kMostLetters] = {};  // of the shapes
   uint8_t shape_of_[kMostLetters] = {};
   int32_t shape_count_ = 0;
   int32_t count_ = 0;
-  kinetic::Body bodies_[kMostLetters];
-  kinetic::BodyContact contacts_[kContacts];
-  kinetic::Body before_[kMostLetters];  // as they were drawn before
+  simulation::Body bodies_[kMostLetters];
+  simulation::BodyContact contacts_[kContacts];
+  simulation::Body before_[kMostLetters];  // as they were drawn before
   bool has_moved_[kMostLetters] = {};
   uint32_t frame_ = 0;
 };

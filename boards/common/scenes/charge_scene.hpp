@@ -1,9 +1,9 @@
 // Scene `charge`: a battery fills; its number rises and glows.
 #pragma once
 
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -29,7 +29,7 @@ class ChargeScene : public TextScene {
   }
 
   void draw(const Paper& paper) const noexcept {
-    using namespace kinetic;
+    using namespace motion;
     // It begins full, and fills again after it was emptied. A breath is 2.5 s.
     const int32_t now = frame_ms(80, kLoopFrames / 2);
     const int32_t level =

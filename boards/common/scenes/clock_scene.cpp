@@ -4,7 +4,7 @@ namespace inkcell {
 namespace scenes {
 namespace {
 
-using kinetic::Clock;
+using motion::Clock;
 
 constexpr uint32_t kBackground = 0x0b0f16;
 constexpr uint32_t kInk = 0xffd9a0;

@@ -2,7 +2,7 @@
 // their outlines if the font holds the pair, else they roll.
 #pragma once
 
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -28,7 +28,7 @@ class ClockScene : public TextScene {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
-  kinetic::Clock clock_;
+  motion::Clock clock_;
   uint32_t first_minute_ = 0;
 };
 

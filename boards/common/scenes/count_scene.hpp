@@ -1,7 +1,7 @@
 // Scene `count`: a number rolls up, rests, and rolls back.
 #pragma once
 
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -54,7 +54,7 @@ class CountScene : public TextScene {
     return bar;
   }
 
-  kinetic::Counter counter_;
+  motion::Counter counter_;
   int32_t most_ = 0;
 };
 

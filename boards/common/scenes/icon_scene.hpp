@@ -1,9 +1,9 @@
 // Scene `icons`: pairs of icons become each other, and back.
 #pragma once
 
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/outline_morph.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/outline_morph.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -30,7 +30,7 @@ class IconScene : public TextScene {
       if (rest.size == 0 || count_ == 4) {
         return Status::bad_argument;
       }
-      INKCELL_TRY(kinetic::OutlineMorph::open(
+      INKCELL_TRY(motion::OutlineMorph::open(
           font(), first, font().glyph_or_notdef(next_code_point(rest)),
           pairs_[count_++]));
     }
@@ -68,13 +68,13 @@ class IconScene : public TextScene {
   }
   // There, and back after half of the time.
   static Q16_16 progress(int32_t i, uint32_t frame) noexcept {
-    using namespace kinetic;
+    using namespace motion;
     const int32_t now = time_of((frame + uint32_t(140 - 12 * i)) % 150);
     return Q16_16::from_raw(ease(kEaseInOut, fraction(0, 600, now)).raw -
                             ease(kEaseInOut, fraction(2500, 3100, now)).raw);
   }
 
-  kinetic::OutlineMorph pairs_[4];
+  motion::OutlineMorph pairs_[4];
   int32_t count_ = 0;
 };
 

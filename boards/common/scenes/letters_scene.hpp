@@ -1,7 +1,7 @@
 // Scenes `bounce`, `pulse` and `splash`: letters move one after the other.
 #pragma once
 
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -26,12 +26,12 @@ class LettersScene : public TextScene {
 
   /// bad_argument: no ink. buffer_small: over 24 letters.
   Status open() noexcept {
-    using namespace kinetic;
+    using namespace motion;
     const Q26_6 size = style().size();
     constexpr StaggerOrder kOrder = kLetters == Letters::splash
                                         ? StaggerOrder::from_centre
                                         : StaggerOrder::forward;
-    const kinetic::PoseThere there =
+    const motion::PoseThere there =
         kLetters == Letters::bounce
             ? hop(Q26_6::from_raw(size.raw / 2), 620)
             : swell(Q26_6::from_raw(size.raw / 40), 800);
@@ -90,13 +90,13 @@ class LettersScene : public TextScene {
       kLetters == Letters::splash ? 13000 : 5000;
 
  private:
-  kinetic::RunGlyph glyphs_[24];
-  kinetic::Run run_;
-  kinetic::RunPlace where_;
-  kinetic::PoseKey keys_[4];
-  kinetic::LetterMotion motion_;
-  kinetic::PoseRenderer renderer_;
-  kinetic::MovingLetters letters_;
+  motion::RunGlyph glyphs_[24];
+  motion::Run run_;
+  motion::RunPlace where_;
+  motion::PoseKey keys_[4];
+  motion::LetterMotion motion_;
+  motion::PoseRenderer renderer_;
+  motion::MovingLetters letters_;
 };
 
 }  // namespace scenes

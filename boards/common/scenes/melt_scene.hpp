@@ -1,11 +1,11 @@
 // Scene `melt`: a word melts into a puddle, out of which another one freezes.
 #pragma once
 
-#include "inkcell/kinetic/grid_blend.hpp"
-#include "inkcell/kinetic/grid_draw.hpp"
-#include "inkcell/kinetic/melt.hpp"
-#include "inkcell/kinetic/redistance.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/grid_blend.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/timeline.hpp"
+#include "inkcell/simulation/melt.hpp"
+#include "inkcell/simulation/redistance.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -68,20 +68,20 @@ class MeltScene : public TextScene {
 
   void draw(const Paper& paper) const noexcept {
     const int32_t now = phase();
-    const int32_t melted = kinetic::fraction(kMelts, kFreezes, now).raw;
-    const int32_t frozen = kinetic::fraction(kFreezes, kSets, now).raw;
+    const int32_t melted = motion::fraction(kMelts, kFreezes, now).raw;
+    const int32_t frozen = motion::fraction(kFreezes, kSets, now).raw;
     const uint32_t ink = mix_rgb(0xe4f4ff, 0x3d9be0, (melted - frozen) >> 8);
     paper.fill(0x08121e);
     if (is_at_rest()) {
       const Text line = word(index());
       painter(paper, ink).text(font(), style(), place(line), line);
     } else {
-      kinetic::draw_grid(grids_[0], {}, 0, 0, kFilterMotion, paper.with(ink));
+      motion::draw_grid(grids_[0], {}, 0, 0, kFilterMotion, paper.with(ink));
     }
   }
 
  private:
-  using Grid = kinetic::DistanceGrid;
+  using Grid = motion::DistanceGrid;
   static constexpr int32_t kHalf = kLoopFrames / 2;
   static constexpr int32_t kMelts = 24;
   static constexpr int32_t kFreezes = 84;
@@ -126,12 +126,12 @@ class MeltScene : public TextScene {
     if (now < kFreezes) {
       const int32_t since = now - kMelts;
       how_.speed_q8 = since < 20 ? since * 7 : 140;
-      kinetic::melt(grids_[0], how_, scratch_);
+      simulation::melt(grids_[0], how_, scratch_);
     } else {
-      kinetic::freeze(grids_[0], grids_[2], now < kSets ? 12 : 24);
+      simulation::freeze(grids_[0], grids_[2], now < kSets ? 12 : 24);
     }
     if (now < kSets) {
-      kinetic::redistance(grids_[0], grids_[1]);
+      simulation::redistance(grids_[0], grids_[1]);
       const Grid swap = grids_[0];
       grids_[0] = grids_[1];
       grids_[1] = swap;
@@ -139,8 +139,8 @@ class MeltScene : public TextScene {
   }
 
   Grid grids_[3];  // the shape; scratch; the next word
-  kinetic::GridHistogram scratch_;
-  kinetic::Melting how_;
+  motion::GridHistogram scratch_;
+  simulation::Melting how_;
   uint32_t step_ = 0;
 };
 

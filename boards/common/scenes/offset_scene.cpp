@@ -2,19 +2,20 @@
 // shrink, and particles gather on them.
 #include "offset_scene.hpp"
 
-#include "inkcell/kinetic/dots.hpp"
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/grid_draw.hpp"
-#include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
+using namespace simulation;
 
 constexpr uint32_t kBackground = 0x090a12;
 constexpr uint32_t kBody = 0xfff0d8;
@@ -197,7 +198,7 @@ void OffsetScene::step() noexcept {
   if (!is_thrown) {
     pull_from_afar(px(phase < kSwells ? 90 : 20));
   }
-  kinetic::step(particles_, rules, grid_for(rules.radius.raw), 0, 0);
+  simulation::step(particles_, rules, grid_for(rules.radius.raw), 0, 0);
 }
 
 Rect OffsetScene::drawn_box() const noexcept {

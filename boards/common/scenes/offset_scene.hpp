@@ -7,8 +7,8 @@
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/distance_grid.hpp"
-#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/simulation/particles.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paint_text.hpp"
@@ -32,7 +32,7 @@ class OffsetScene {
   static constexpr size_t grid_bytes(int32_t width,
                                      int32_t height,
                                      int32_t scale) noexcept {
-    using kinetic::DistanceGrid;
+    using motion::DistanceGrid;
     return static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
                                DistanceGrid::samples_of(height, scale));
   }
@@ -68,7 +68,7 @@ class OffsetScene {
   void step() noexcept;
   void pull_from_afar(int32_t strength_q10) noexcept;
   int32_t offset_q6() const noexcept;
-  const kinetic::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;
+  const motion::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;
   Rect drawn_box() const noexcept;
   void prepare() noexcept;
 
@@ -76,12 +76,12 @@ class OffsetScene {
   Text text_;
   int32_t width_;
   int32_t height_;
-  kinetic::DistanceGrid grid_;
-  kinetic::DistanceGrid far_grid_;
-  kinetic::DistanceGrid guide_;  // the whole screen, for far particles
+  motion::DistanceGrid grid_;
+  motion::DistanceGrid far_grid_;
+  motion::DistanceGrid guide_;  // the whole screen, for far particles
   Workspace workspace_;
   TextPlace place_;
-  Span<kinetic::Particle> particles_;
+  Span<simulation::Particle> particles_;
   uint32_t frame_ = 0;
   Filter soft_;  // between bands
   Rect before_;  // drawn by the last two frames

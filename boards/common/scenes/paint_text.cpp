@@ -41,7 +41,7 @@ bool paint_text(const Font& font,
                 Text text,
                 const TextPlace& place,
                 Workspace workspace,
-                kinetic::DistanceGrid& grid) noexcept {
+                motion::DistanceGrid& grid) noexcept {
   grid.clear();
   TextCursor cursor(font, text);
   PositionedGlyph glyph;
@@ -57,7 +57,7 @@ bool paint_text(const Font& font,
   return true;
 }
 
-Rect known_pixels(const kinetic::DistanceGrid& grid) noexcept {
+Rect known_pixels(const motion::DistanceGrid& grid) noexcept {
   const Rect box = grid.known_box();
   const int32_t side = 1 << grid.scale_log2();
   return {(box.x0 - 1) * side, (box.y0 - 1) * side, (box.x1 + 1) * side,

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/motion/distance_grid.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 
@@ -33,10 +33,10 @@ bool paint_text(const Font& font,
                 Text text,
                 const TextPlace& place,
                 Workspace workspace,
-                kinetic::DistanceGrid& grid) noexcept;
+                motion::DistanceGrid& grid) noexcept;
 
 /// The part of the screen where the grid has distances.
-Rect known_pixels(const kinetic::DistanceGrid& grid) noexcept;
+Rect known_pixels(const motion::DistanceGrid& grid) noexcept;
 
 }  // namespace scenes
 }  // namespace inkcell

@@ -6,8 +6,8 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
-#include "inkcell/kinetic/particle_homes.hpp"
-#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/simulation/particle_homes.hpp"
+#include "inkcell/simulation/particles.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text.hpp"
@@ -64,8 +64,8 @@ struct SceneNeeds {
 /// RAM of a scene. It must outlive the scene.
 struct SceneMemory {
   Span<int8_t> grid;
-  Span<kinetic::Particle> particles;
-  Span<kinetic::ParticleHome> homes;
+  Span<simulation::Particle> particles;
+  Span<simulation::ParticleHome> homes;
 };
 
 /// The setting of a scene. The font and the text must outlive it.

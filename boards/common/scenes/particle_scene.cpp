@@ -1,18 +1,19 @@
 // Five seconds a word: it stands, bursts and falls; the other one gathers.
 #include "particle_scene.hpp"
 
-#include "inkcell/kinetic/dots.hpp"
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/grid_draw.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
+using namespace simulation;
 
 constexpr uint32_t kBackground = 0x0a0d18;
 constexpr uint32_t kInk = 0xf4f1e8;
@@ -243,7 +244,7 @@ void ParticleScene::step() noexcept {
     rules.gravity_q10 = static_cast<int16_t>(230 * height_ / 240);
     rules.bounce_q8 = 140;
     rules.kept_q16 = 65000;
-    kinetic::step(pieces_, rules, grid_, 0, 0);
+    simulation::step(pieces_, rules, grid_, 0, 0);
   } else if (phase >= kGather && phase < kRings) {
     // From left to right, one after the other; late ones still fall.
     const uint32_t begun = phase - kGather;
@@ -252,13 +253,13 @@ void ParticleScene::step() noexcept {
     const Span<Particle> early(pieces_.data, called);
     const Span<Particle> late(pieces_.data + called, pieces_.size - called);
     rules.kept_q16 = 52000;
-    kinetic::pull_home(early, homes_, Q16_16::from_raw(2600),
-                       Q26_6::from_int(4));
-    kinetic::step(early, rules, grid_, 0, 0);
+    simulation::pull_home(early, homes_, Q16_16::from_raw(2600),
+                          Q26_6::from_int(4));
+    simulation::step(early, rules, grid_, 0, 0);
     rules.gravity_q10 = static_cast<int16_t>(230 * height_ / 240);
     rules.bounce_q8 = 140;
     rules.kept_q16 = 65000;
-    kinetic::step(late, rules, grid_, 0, 0);
+    simulation::step(late, rules, grid_, 0, 0);
   }
   // The others orbit the letters, and never cross them.
   ParticleRules flight;
@@ -273,12 +274,12 @@ void ParticleScene::step() noexcept {
     // To the new word, each to its own place.
     const size_t stride = pieces_.size / (flies_.size + 1) + 1;
     for (size_t i = 0; i < flies_.size; ++i) {
-      kinetic::pull_home({flies_.data + i, 1},
-                         {homes_.data + i * stride % homes_.size, 1},
-                         Q16_16::from_raw(1800), Q26_6::from_int(2));
+      simulation::pull_home({flies_.data + i, 1},
+                            {homes_.data + i * stride % homes_.size, 1},
+                            Q16_16::from_raw(1800), Q26_6::from_int(2));
     }
   }
-  kinetic::step(flies_, flight, grid_, 0, 0);
+  simulation::step(flies_, flight, grid_, 0, 0);
 }
 
 // The box of all that is drawn.

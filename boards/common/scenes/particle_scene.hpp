@@ -6,11 +6,11 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/distance_grid.hpp"
-#include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/particle_homes.hpp"
-#include "inkcell/kinetic/particles.hpp"
-#include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/motion/pose_renderer.hpp"
+#include "inkcell/simulation/particle_homes.hpp"
+#include "inkcell/simulation/particles.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -30,7 +30,7 @@ class ParticleScene {
     return width > 200 ? 2 : width > 100 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    using kinetic::DistanceGrid;
+    using motion::DistanceGrid;
     const int32_t scale = scale_for(width);
     const auto grid =
         static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
@@ -72,14 +72,14 @@ class ParticleScene {
   int32_t width_;
   int32_t height_;
   Q26_6 size_;
-  kinetic::DistanceGrid grid_;
+  motion::DistanceGrid grid_;
   Workspace workspace_;
   Point origin_;  // of the word
   Rect word_box_;
-  Span<kinetic::ParticleHome> homes_;
-  Span<kinetic::Particle> pieces_;  // one for each home
-  Span<kinetic::Particle> flies_;
-  kinetic::RandomNumbers random_;
+  Span<simulation::ParticleHome> homes_;
+  Span<simulation::Particle> pieces_;  // one for each home
+  Span<simulation::Particle> flies_;
+  motion::RandomNumbers random_;
   uint32_t frame_ = 0;
   Rect before_;  // drawn by the last two frames
   Rect now_;

@@ -3,14 +3,14 @@
 // empty.
 #include "path_scene.hpp"
 
-#include "inkcell/kinetic/spring.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/spring.hpp"
+#include "inkcell/motion/timeline.hpp"
 
 namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
 
 constexpr uint32_t kBackground = 0x0d1524;
 constexpr uint32_t kFirstInk = 0xffc24b;

@@ -5,9 +5,9 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/path.hpp"
-#include "inkcell/kinetic/pose_renderer.hpp"
-#include "inkcell/kinetic/run.hpp"
+#include "inkcell/motion/path.hpp"
+#include "inkcell/motion/pose_renderer.hpp"
+#include "inkcell/motion/run.hpp"
 #include "inkcell/text.hpp"
 #include "paper.hpp"
 
@@ -41,21 +41,21 @@ class PathScene {
   static constexpr int32_t kPieces = 16;  // of each half of the wave
 
   void make_wave(int32_t time_ms) noexcept;
-  kinetic::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
+  motion::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
 
   const Font& font_;
   Text text_;
   int32_t width_;
   int32_t height_;
-  kinetic::PathPlace on_path_;
-  kinetic::PoseRenderer renderer_;
+  motion::PathPlace on_path_;
+  motion::PoseRenderer renderer_;
   Workspace workspace_;
-  kinetic::RunGlyph glyphs_[kMaxGlyphs];
-  kinetic::Run run_;
-  kinetic::PathPoint points_[2 * kPieces + 1];
-  kinetic::Path path_;
-  kinetic::PosedGlyph posed_[kMaxGlyphs];
-  kinetic::PosedGlyph before_[kMaxGlyphs];
+  motion::RunGlyph glyphs_[kMaxGlyphs];
+  motion::Run run_;
+  motion::PathPoint points_[2 * kPieces + 1];
+  motion::Path path_;
+  motion::PosedGlyph posed_[kMaxGlyphs];
+  motion::PosedGlyph before_[kMaxGlyphs];
   uint32_t frame_ = 0;
 };
 

@@ -2,16 +2,17 @@
 // ink.
 #include "print_scene.hpp"
 
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/grid_draw.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "paint_text.hpp"
 
 namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
+using namespace simulation;
 
 constexpr uint32_t kBackground = 0x10131c;
 constexpr uint32_t kParts = 5;

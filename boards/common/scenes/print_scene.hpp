@@ -5,8 +5,8 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/distance_grid.hpp"
-#include "inkcell/kinetic/print_draw.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/simulation/print_draw.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -25,7 +25,7 @@ class PrintScene {
     return width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    using kinetic::DistanceGrid;
+    using motion::DistanceGrid;
     const int32_t scale = scale_for(width);
     return {static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
                                 DistanceGrid::samples_of(height, scale)),
@@ -45,7 +45,7 @@ class PrintScene {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
-  kinetic::PrintLook look_of(uint32_t part) const noexcept;
+  simulation::PrintLook look_of(uint32_t part) const noexcept;
   void draw_part(const Paper& paper,
                  uint32_t part,
                  const Rect& window) const noexcept;
@@ -54,7 +54,7 @@ class PrintScene {
   Text text_;
   int32_t width_;
   int32_t height_;
-  kinetic::DistanceGrid grid_;
+  motion::DistanceGrid grid_;
   Workspace workspace_;
   Rect box_;
   uint32_t frame_ = 0;

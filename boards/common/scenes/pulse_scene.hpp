@@ -2,8 +2,8 @@
 // or by edges that move outwards where it has none.
 #pragma once
 
-#include "inkcell/kinetic/outline_morph.hpp"
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/outline_morph.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "letters_scene.hpp"
 
 namespace inkcell {
@@ -25,9 +25,9 @@ class PulseScene : public LettersScene<Letters::pulse> {
     Text letters = text();
     has_masters_ = false;
     while (letters.size != 0 && !has_masters_) {
-      kinetic::OutlineMorph morph;
+      motion::OutlineMorph morph;
       has_masters_ =
-          kinetic::OutlineMorph::open_master(
+          motion::OutlineMorph::open_master(
               font(), font().glyph_or_notdef(next_code_point(letters)),
               morph) == Status::ok;
     }
@@ -52,7 +52,7 @@ class PulseScene : public LettersScene<Letters::pulse> {
   }
 
  private:
-  kinetic::WeightPulse line_;
+  motion::WeightPulse line_;
   bool has_masters_ = false;
 };
 

@@ -1,8 +1,8 @@
 // Scene `ticker`: a line runs by without end, and fades at both ends.
 #pragma once
 
-#include "inkcell/kinetic/fade.hpp"
 #include "inkcell/layout/label.hpp"
+#include "inkcell/motion/fade.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -33,7 +33,7 @@ class TickerScene : public TextScene {
   void draw(const Paper& paper) const noexcept {
     paper.fill(0x141018);
     paper.fill(0x241c2c, window_);
-    kinetic::SoftWindow soft;
+    motion::SoftWindow soft;
     soft.target = &paper.with(0xffc46b);
     soft.window = window_;
     soft.soft.left = soft.soft.right = static_cast<uint8_t>(px(256) & 255);

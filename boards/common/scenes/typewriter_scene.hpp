@@ -1,7 +1,7 @@
 // Scene `typewriter`: a line stands, is erased, and is typed again.
 #pragma once
 
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -54,7 +54,7 @@ class TypewriterScene : public TextScene {
   static constexpr int32_t kTypedMs = 1900;
   static constexpr int32_t kTypingMs = 1800;
 
-  kinetic::Typewriter line_;
+  motion::Typewriter line_;
 };
 
 }  // namespace scenes

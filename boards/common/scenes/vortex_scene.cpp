@@ -2,14 +2,14 @@
 // thinnest, and vanish while the letter grows anew.
 #include "vortex_scene.hpp"
 
-#include "inkcell/kinetic/advect.hpp"
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/fade.hpp"
-#include "inkcell/kinetic/grid_draw.hpp"
-#include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/kinetic/redistance.hpp"
-#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/fade.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/numbers.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/simulation/advect.hpp"
+#include "inkcell/simulation/redistance.hpp"
 #include "inkcell/style.hpp"
 #include "paint_text.hpp"
 
@@ -17,7 +17,8 @@ namespace inkcell {
 namespace scenes {
 namespace {
 
-using namespace kinetic;
+using namespace motion;
+using namespace simulation;
 
 constexpr uint32_t kBackground = 0x0c1018;
 constexpr uint32_t kRing = 0x1a3854;
@@ -262,7 +263,7 @@ void VortexScene::draw_print(const Paper& paper,
   const Fade under = {&paper.with(inks.body), opacity};
   draw_grid(grid, body, 0, 0, kFilterMotion, make_sink(under));
   const Fade ink = {&paper.with(inks.ink), opacity};
-  kinetic::draw_print(grid, look, 0, 0, kFilterMotion, make_sink(ink));
+  simulation::draw_print(grid, look, 0, 0, kFilterMotion, make_sink(ink));
 }
 
 void VortexScene::add_changes(DirtyRects& dirty) const noexcept {

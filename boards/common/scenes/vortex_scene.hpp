@@ -5,9 +5,9 @@
 
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/kinetic/distance_grid.hpp"
-#include "inkcell/kinetic/grid_blend.hpp"
-#include "inkcell/kinetic/print_draw.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/motion/grid_blend.hpp"
+#include "inkcell/simulation/print_draw.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
@@ -28,7 +28,7 @@ class VortexScene {
     return width > 400 ? 2 : width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    using kinetic::DistanceGrid;
+    using motion::DistanceGrid;
     const int32_t scale = scale_for(width);
     const auto grid =
         static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
@@ -41,7 +41,7 @@ class VortexScene {
   VortexScene& operator=(const VortexScene&) = delete;
 
   /// Prints the letter, instead of drawing it in layers.
-  void print_as(kinetic::PrintStyle style) noexcept {
+  void print_as(simulation::PrintStyle style) noexcept {
     print_ = style;
     is_print_ = true;
   }
@@ -56,30 +56,30 @@ class VortexScene {
 
  private:
   bool restart() noexcept;
-  bool paint(kinetic::DistanceGrid& grid) noexcept;
+  bool paint(motion::DistanceGrid& grid) noexcept;
   void keep_area() noexcept;
   void step() noexcept;
   bool is_old_shown() const noexcept;
   void draw_shape(const Paper& paper,
-                  const kinetic::DistanceGrid& grid,
+                  const motion::DistanceGrid& grid,
                   Q16_16 thinned) const noexcept;
   void draw_print(const Paper& paper,
-                  const kinetic::DistanceGrid& grid,
+                  const motion::DistanceGrid& grid,
                   int32_t thinner_q6,
                   uint8_t opacity) const noexcept;
-  int32_t cutoff_of(const kinetic::DistanceGrid& grid,
+  int32_t cutoff_of(const motion::DistanceGrid& grid,
                     int32_t offset_q6) const noexcept;
 
   const Font& font_;
   Text text_;
   int32_t width_;
   int32_t height_;
-  kinetic::DistanceGrid grid_;
-  kinetic::DistanceGrid next_;  // or what is left of the letter before
+  motion::DistanceGrid grid_;
+  motion::DistanceGrid next_;  // or what is left of the letter before
   Workspace workspace_;
-  kinetic::PrintStyle print_ = kinetic::PrintStyle::relief;
+  simulation::PrintStyle print_ = simulation::PrintStyle::relief;
   bool is_print_ = false;
-  kinetic::GridHistogram scratch_;
+  motion::GridHistogram scratch_;
   Fixed<int32_t, 13> cutoff_;  // keeps the area of the wound letter
   int32_t area_ = 0;
   uint32_t frame_ = 0;

@@ -1,7 +1,7 @@
 // Scene `wipe`: a soft edge wipes one word off and reveals another.
 #pragma once
 
-#include "inkcell/kinetic/recipes.hpp"
+#include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
 namespace inkcell {
@@ -38,7 +38,7 @@ class WipeScene : public TextScene {
   }
 
  private:
-  using Wipe = kinetic::Wipe;
+  using Wipe = motion::Wipe;
   static constexpr uint32_t kHalf = 75;  // [frames]
 
   Wipe wipe(size_t index, uint32_t frame, Wipe::Kind kind) const noexcept {

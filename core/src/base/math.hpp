@@ -1,4 +1,4 @@
-// Minimum, maximum, absolute value, clamps, and numbers modulo 2^32.
+// Minimum, maximum, absolute value, clamps, lengths, and numbers modulo 2^32.
 #pragma once
 
 #include <stdint.h>
@@ -52,6 +52,13 @@ inline int32_t rough_length(int32_t x, int32_t y) noexcept {
   const int32_t a = abs(x);
   const int32_t b = abs(y);
   return max(a, b) + (min(a, b) * 3 >> 3);
+}
+
+// That of a vector of components >= 0, within 3 %: max(m, 7/8 m + n / 2) with
+// m >= n.
+inline int32_t near_length(int32_t x, int32_t y) noexcept {
+  const int32_t most = max(x, y);
+  return max(most, most - (most >> 3) + (min(x, y) >> 1));
 }
 
 inline void swap(int32_t& a, int32_t& b) noexcept {

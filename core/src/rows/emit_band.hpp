@@ -28,7 +28,7 @@ void cover_filtered(const Band& band, const Filter& filter) noexcept;
 // one.
 //
 // All coverage of glyphs passes here but for that of sub-pixels that are mixed
-// (effects/lcd.cpp) and of type that moves (kinetic/src/pixel_run.hpp). Both
+// (effects/lcd.cpp) and of simulations (simulation/src/pixel_run.hpp). Both
 // find runs while they make pixels. emit_row() would look for them once more.
 void emit(const Sink& sink,
           const Rect& pixels,

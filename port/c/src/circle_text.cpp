@@ -11,7 +11,7 @@ void inkcell_draw_on_circle(const inkcell_painter_t* painter,
                             size_t size,
                             const inkcell_style_t* style,
                             const inkcell_text_circle_t* circle) {
-  kinetic::draw_on_circle(painter_of(painter), ref(font), ref(style),
+  motion::draw_on_circle(painter_of(painter), ref(font), ref(style),
       ref(circle), text_of(text, size));
 }
 
@@ -21,6 +21,6 @@ void inkcell_circle_box(const inkcell_font_t* font,
                         const inkcell_style_t* style,
                         const inkcell_text_circle_t* circle,
                         inkcell_rect_t* out) {
-  ref(out) = kinetic::draw_on_circle({}, ref(font), ref(style), ref(circle),
+  ref(out) = motion::draw_on_circle({}, ref(font), ref(style), ref(circle),
       text_of(text, size));
 }

@@ -10,13 +10,13 @@ inkcell_status_t inkcell_outline_morph_open(const inkcell_font_t* font,
                                             uint16_t to,
                                             inkcell_outline_morph_t* out) {
   ref(out) = {};
-  return code(kinetic::OutlineMorph::open(ref(font), from, to, ref(out)));
+  return code(motion::OutlineMorph::open(ref(font), from, to, ref(out)));
 }
 
 inkcell_status_t inkcell_outline_morph_open_master(
     const inkcell_font_t* font, uint16_t glyph, inkcell_outline_morph_t* out) {
   ref(out) = {};
-  return code(kinetic::OutlineMorph::open_master(ref(font), glyph, ref(out)));
+  return code(motion::OutlineMorph::open_master(ref(font), glyph, ref(out)));
 }
 
 int32_t inkcell_outline_morph_advance(const inkcell_outline_morph_t* morph,
@@ -26,7 +26,7 @@ int32_t inkcell_outline_morph_advance(const inkcell_outline_morph_t* morph,
 }
 
 size_t inkcell_outline_morph_workspace_bytes(const inkcell_font_t* font) {
-  return kinetic::OutlineMorph::workspace_bytes(ref(font));
+  return motion::OutlineMorph::workspace_bytes(ref(font));
 }
 
 void inkcell_outline_morph_draw(const inkcell_outline_morph_t* morph,
@@ -50,5 +50,5 @@ void inkcell_outline_morph_box(const inkcell_outline_morph_t* morph,
 }
 
 int32_t inkcell_ease_in_out(int32_t progress_q16) {
-  return kinetic::ease(kinetic::kEaseInOut, Q16_16::from_raw(progress_q16)).raw;
+  return motion::ease(motion::kEaseInOut, Q16_16::from_raw(progress_q16)).raw;
 }

@@ -14,14 +14,14 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/inkcell.h"
-#include "inkcell/kinetic/easing.hpp"
-#include "inkcell/kinetic/outline_morph.hpp"
-#include "inkcell/kinetic/path.hpp"
 #include "inkcell/layout/bidi.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/motion/easing.hpp"
+#include "inkcell/motion/outline_morph.hpp"
+#include "inkcell/motion/path.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/number_text.hpp"
 #include "inkcell/painter.hpp"
@@ -217,11 +217,11 @@ struct CppOf<inkcell_value_label_t> {
 };
 template <>
 struct CppOf<inkcell_text_circle_t> {
-  using Type = kinetic::TextCircle;
+  using Type = motion::TextCircle;
 };
 template <>
 struct CppOf<inkcell_outline_morph_t> {
-  using Type = kinetic::OutlineMorph;
+  using Type = motion::OutlineMorph;
 };
 template <>
 struct CppOf<inkcell_shaped_glyph_t> {

@@ -14,16 +14,16 @@
 //   tft.fillScreen(paper)                run_strips(loop)
 #include <fonts/digits.hpp>
 #include <inkcell/inkcell.hpp>
-#include <inkcell/kinetic/easing.hpp>
-#include <inkcell/kinetic/outline_morph.hpp>
-#include <inkcell/kinetic/timeline.hpp>
+#include <inkcell/motion/easing.hpp>
+#include <inkcell/motion/outline_morph.hpp>
+#include <inkcell/motion/timeline.hpp>
 #include <inkcell/port/display_loop.hpp>
 #include <inkcell/port/ili9341.hpp>
 
 #include "your_board.h"
 
 using namespace inkcell;
-using namespace inkcell::kinetic;
+using namespace inkcell::motion;
 using namespace inkcell::port;
 
 constexpr uint16_t kInk = rgb565(255, 217, 160);

@@ -4,7 +4,7 @@
 #
 # inkcell_module.c says how it is used.
 get_filename_component(inkcell ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
-set(parts core core/cache core/field core/kinetic core/layout port/pixel
+set(parts core core/cache core/field core/layout core/motion port/pixel
   port/display port/c)
 add_library(usermod_inkcell INTERFACE)
 foreach(part ${parts})

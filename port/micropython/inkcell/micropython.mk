@@ -6,7 +6,7 @@
 INKCELL_MOD := $(USERMOD_DIR)
 INKCELL := $(INKCELL_MOD)/../../..
 INKCELL_MOD_PARTS := $(INKCELL)/core/cache $(INKCELL)/core/field \
-  $(INKCELL)/core/kinetic $(INKCELL)/core/layout $(INKCELL)/port/pixel $(INKCELL)/port/display \
+  $(INKCELL)/core/layout $(INKCELL)/core/motion $(INKCELL)/port/pixel $(INKCELL)/port/display \
   $(INKCELL)/port/c
 
 SRC_USERMOD_C += $(INKCELL_MOD)/inkcell_module.c

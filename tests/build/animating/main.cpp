@@ -1,12 +1,12 @@
 // A counter on a screen of 240 x 240 px in RGB565.
 #include <fonts/sans.hpp>  // made by inkcell_add_font(), see above
 #include <inkcell/inkcell.hpp>
-#include <inkcell/kinetic/recipes.hpp>
+#include <inkcell/motion/recipes.hpp>
 #include <inkcell/port/rgb565.hpp>
 #include <inkcell/port/strip_loop.hpp>
 
 using namespace inkcell;
-using namespace inkcell::kinetic;
+using namespace inkcell::motion;
 
 // Three functions of yours.
 uint32_t ticks_ms();  // since the start

@@ -33,8 +33,8 @@ int main() {
 FONT_OPTIONS = ["--chars=0x20-0x7E"]
 # Parts that a project compiles if it asks for them, and their folders.
 LIBRARIES = {"cache": "core/cache", "field": "core/field",
-             "kinetic": "core/kinetic", "layout": "core/layout",
-             "stored": "core/stored", "c": "port/c"}
+             "layout": "core/layout", "motion": "core/motion",
+             "simulation": "core/simulation", "stored": "core/stored", "c": "port/c"}
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 

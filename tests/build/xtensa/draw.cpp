@@ -2,8 +2,8 @@
 // of the pixels, which are the same on all machines.
 #include <fonts/sans.hpp>
 #include <inkcell/inkcell.hpp>
-#include <inkcell/kinetic/numbers.hpp>
 #include <inkcell/layout/text_box.hpp>
+#include <inkcell/motion/numbers.hpp>
 #include <inkcell/number_text.hpp>
 #include <inkcell/port/mono_pages.hpp>
 
@@ -52,8 +52,8 @@ Status draw() {
   const Style upright(24_px);
   painter.text(font, upright, {4, 24}, "12:34 AVo");
   const Style upwards(15_px, kFilterText, {0, 1});  // right and up
-  const kinetic::Angle slope = kinetic::from_degrees(30);
-  const Style turned(15_px, kFilterText, kinetic::direction_of(slope));
+  const motion::Angle slope = motion::from_degrees(30);
+  const Style turned(15_px, kFilterText, motion::direction_of(slope));
   const Style leaning(Matrix{15, 0, 4, 15});  // narrow: {10, 0, 0, 15}
   painter.text(font, upwards, {20, 62}, "upwards");
   painter.text(font, turned, {28, 62}, "turned");

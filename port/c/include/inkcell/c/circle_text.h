@@ -1,4 +1,4 @@
-// Lines of text on a circle, as in inkcell/kinetic/path.hpp.
+// Lines of text on a circle, as in inkcell/motion/path.hpp.
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.
 #pragma once

@@ -1,4 +1,4 @@
-// Glyphs that turn into others, as in inkcell/kinetic/outline_morph.hpp.
+// Glyphs that turn into others, as in inkcell/motion/outline_morph.hpp.
 // Progress is from 0 to 1 and clamped. [Q16]
 //
 // Made by port/c/make_api.py from port/c/api.txt: edit that instead.

@@ -1,0 +1,73 @@
+// Columns that sink, and edges that move towards others.
+#include "inkcell/simulation/melt.hpp"
+
+#include "inkcell/motion/numbers.hpp"
+#include "limits.hpp"
+
+namespace inkcell::simulation {
+namespace {
+
+constexpr int32_t kSlow = 80;  // the height of slow samples [1/32 sample]
+constexpr int32_t kLeastDepth = 3 * 32;  // the depth of a puddle [1/32 sample]
+
+int8_t sample_of(int32_t value) noexcept {
+  return static_cast<int8_t>(clamp(value, INT8_MIN, INT8_MAX));
+}
+
+// Smooth noise: the speed of a column. [of 256]
+int32_t speed_of(uint32_t seed, int32_t column) noexcept {
+  constexpr int32_t kWide = 4;  // [columns]
+  const int32_t part = column % kWide;
+  const auto noise = [&](int32_t knot) {
+    const auto at = static_cast<uint32_t>(column / kWide + knot);
+    return static_cast<int32_t>(hash(seed, at) >> 24);
+  };
+  const int32_t both = noise(0) * (kWide - part) + noise(1) * part;
+  return 86 + both * 2 / (3 * kWide);
+}
+
+}  // namespace
+
+void melt(DistanceGrid& grid,
+          const Melting& how,
+          GridHistogram& scratch) noexcept {
+  const int32_t speed_q8 = clamp(how.speed_q8, 0, 256);
+  const int32_t floor_q6 = clamp(how.floor.raw, -(1 << 19), 1 << 19);
+  const int32_t shift = grid.scale_log2() + 1;
+  const int32_t added = -cutoff_for(grid, how.area, scratch).raw / 64;
+  // As deep as one of this area, from side to side.
+  const int32_t depth =
+      max(how.area / max(2 * grid.width(), 1) + 32, kLeastDepth);
+  for (int32_t x = 0; x < grid.width(); ++x) {
+    const int32_t speed = speed_q8 * speed_of(how.seed, x);
+    // Upwards: the sample above is still that of the step before.
+    for (int32_t y = grid.height() - 1; y >= 0; --y) {
+      int8_t& at = grid.row(y)[x];
+      // Of the sample's middle above the floor. [1/32 of a sample]
+      const int32_t height = (floor_q6 - ((2 * y + 1) << (shift + 4))) >> shift;
+      const int32_t fall_q8 = speed * clamp(height, 0, kSlow) / (kSlow * 256);
+      const int32_t fallen =
+          at + (((grid.at(x, y - 1) - at) * fall_q8 + 128) >> 8);
+      const bool is_puddle = fallen > INT8_MIN && height < depth;
+      at = sample_of(min(is_puddle ? fallen + added : fallen, height));
+    }
+  }
+}
+
+void freeze(DistanceGrid& grid,
+            const DistanceGrid& target,
+            int32_t most) noexcept {
+  if (grid.width() != target.width() || grid.height() != target.height()) {
+    return;
+  }
+  most = clamp(most, 1, 255);
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    int8_t* row = grid.row(y);
+    const int8_t* wanted = target.row(y);
+    for (int32_t x = 0; x < grid.width(); ++x) {
+      row[x] = sample_of(clamp(wanted[x], row[x] - most, row[x] + most));
+    }
+  }
+}
+
+}  // namespace inkcell::simulation

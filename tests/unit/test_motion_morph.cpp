@@ -1,0 +1,356 @@
+// Grids of distances, what lies between two of them, and glyphs that become
+// others.
+#include "check.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/motion/grid_blend.hpp"
+#include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/morph.hpp"
+#include "inkcell/painter.hpp"
+#include "outline_record.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+using namespace inkcell::motion;
+
+constexpr int32_t kWidth = 64;
+constexpr int32_t kHeight = 56;
+constexpr Rect kScreen = {0, 0, kWidth, kHeight};
+constexpr int32_t kOne = 1 << 16;
+constexpr Q26_6 kSize = Q26_6::from_int(48);
+constexpr MorphBox kBox = {kWidth, kHeight, 44, 0};
+constexpr uint16_t kDiscGlyph = 1;
+constexpr uint16_t kBarGlyph = 2;
+
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+int8_t memory[morph_bytes(kBox)];
+GridHistogram scratch;
+uint8_t picture[kWidth * kHeight];
+uint8_t second[kWidth * kHeight];
+
+const Font& sample_font() {
+  static Font font;
+  if (font.glyph_count() == 0) {
+    const size_t size = outline_record::build_sample_font(font_bytes);
+    CHECK_OK(Font::open({font_bytes, size}, font));
+  }
+  return font;
+}
+
+// Fails if pixels leave the window or come twice: glyphs here never overlap.
+struct Canvas {
+  uint8_t* pixels;
+  Rect window;
+
+  Sink sink() { return {window, this, coverage, solid}; }
+  void put(int32_t x, int32_t y, uint8_t value) {
+    const bool fits =
+        x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
+    CHECK(fits && "pixels inside the window");
+    if (fits) {
+      CHECK(pixels[y * kWidth + x] == 0 && "no pixel twice");
+      pixels[y * kWidth + x] = value;
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* values,
+                       int32_t count) {
+    CHECK(count >= 1 && count <= kMaxSpan);
+    for (int32_t i = 0; i < count; ++i) {
+      static_cast<Canvas*>(context)->put(x + i, y, values[i]);
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    for (int32_t i = 0; i < count; ++i) {
+      static_cast<Canvas*>(context)->put(x + i, y, 255);
+    }
+  }
+};
+
+void clear(uint8_t (&pixels)[kWidth * kHeight]) {
+  for (uint8_t& pixel : pixels) {
+    pixel = 0;
+  }
+}
+
+int32_t ink(const uint8_t (&pixels)[kWidth * kHeight]) {
+  int32_t sum = 0;
+  for (const uint8_t pixel : pixels) {
+    sum += pixel;
+  }
+  return sum;
+}
+
+void draw_whole(const GlyphMorph& morph, uint8_t (&pixels)[kWidth * kHeight]) {
+  clear(pixels);
+  Canvas canvas = {pixels, kScreen};
+  morph.draw(0, 0, canvas.sink());
+}
+
+int32_t magnitude(int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+}  // namespace
+
+TEST(grids_hold_distances) {
+  // The bar from x = 200 to 440 u, y = 0 to 640 u, at 64 px/em: 12.5 to 27.5
+  // px and 0 to 40 px. Its origin is at (4, 48).
+  const Font& font = sample_font();
+  for (int32_t scale = 0; scale <= 2; ++scale) {
+    const int32_t side = DistanceGrid::samples_of(56, scale);
+    DistanceGrid grid(memory, side, side, scale);
+    CHECK_EQ(grid.width(), side);
+    grid.clear();
+    CHECK_OK(grid.paint(font, kBarGlyph, Q26_6::from_int(64),
+                        {Q26_6::from_int(4), Q26_6::from_int(48)}));
+    for (int32_t y = 0; y < side; ++y) {
+      for (int32_t x = 0; x < side; ++x) {
+        // In 1/32 of a side; off corners the nearest side decides.
+        const int32_t px_q6 = ((2 * x + 1) << scale) * 32;
+        const int32_t py_q6 = ((2 * y + 1) << scale) * 32;
+        const int32_t left = px_q6 - (16 * 64 + 32);
+        const int32_t right = (31 * 64 + 32) - px_q6;
+        const int32_t top = py_q6 - 8 * 64;
+        const int32_t bottom = 48 * 64 - py_q6;
+        const int32_t across = left < right ? left : right;
+        const int32_t along = top < bottom ? top : bottom;
+        if (across < 0 && along < 0) {
+          continue;
+        }
+        const int32_t least = across < along ? across : along;
+        int32_t expected = least >> (1 + scale);
+        expected = expected > 127 ? 127 : expected < -128 ? -128 : expected;
+        CHECK(magnitude(grid.at(x, y) - expected) <= 1);
+      }
+    }
+    CHECK_EQ(grid.at(-1, 0), DistanceGrid::kOutside);
+    CHECK_EQ(grid.at(0, side), DistanceGrid::kOutside);
+  }
+}
+
+TEST(grids_unite_what_is_painted) {
+  const Font& font = sample_font();
+  DistanceGrid grid(memory, kWidth, kHeight, 0);
+  DistanceGrid both({memory + kWidth * kHeight, kWidth * kHeight}, kWidth,
+                    kHeight, 0);
+  const Point kPlaces[] = {{Q26_6::from_int(2), Q26_6::from_int(40)},
+                           {Q26_6::from_int(20), Q26_6::from_int(44)}};
+  both.clear();
+  CHECK_OK(both.paint(font, kBarGlyph, kSize, kPlaces[0]));
+  CHECK_OK(both.paint(font, kDiscGlyph, kSize, kPlaces[1]));
+  grid.clear();
+  CHECK_OK(grid.paint(font, kBarGlyph, kSize, kPlaces[0]));
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = 0; x < kWidth; ++x) {
+      CHECK(both.at(x, y) >= grid.at(x, y));
+    }
+  }
+  CHECK(both.depth() >= grid.depth());
+  CHECK(grid.depth() > 0);
+}
+
+TEST(grids_refuse_what_does_not_fit) {
+  CHECK_EQ(DistanceGrid({memory, 99}, 10, 10, 0).width(), 0);
+  CHECK_EQ(DistanceGrid({memory, 100}, 10, 10, 0).width(), 10);
+  CHECK_EQ(DistanceGrid(memory, 0, 10, 0).width(), 0);
+  CHECK_EQ(DistanceGrid(memory, 10, 2000, 0).width(), 0);
+  CHECK_EQ(DistanceGrid(memory, 10, 10, 4).width(), 0);
+  CHECK_EQ(DistanceGrid(memory, 10, 10, -1).width(), 0);
+  DistanceGrid grid(memory, 10, 10, 3);
+  grid.clear();
+  CHECK_EQ(grid.paint(sample_font(), kBarGlyph, Q26_6::from_int(31), {}),
+           Status::bad_argument);
+  CHECK_EQ(grid.depth(), 0);
+}
+
+TEST(morphs_end_as_plain_glyphs) {
+  const Font& font = sample_font();
+  GlyphMorph morph(font, kSize, kFilterMotion, kBox, memory);
+  Style style(kSize, kFilterMotion);
+  for (uint16_t from = 1; from < 6; ++from) {
+    const auto to = static_cast<uint16_t>(from % 5 + 1);
+    CHECK_OK(morph.set(from, to));
+    for (int32_t end = 0; end < 2; ++end) {
+      morph.step(Q16_16::from_int(end), scratch);
+      draw_whole(morph, picture);
+      clear(second);
+      Canvas canvas = {second, kScreen};
+      const uint16_t glyph = end == 0 ? from : to;
+      const int32_t advance_q6 = font.advance(glyph) * 48 * 64 / 1024;
+      Painter(canvas.sink())
+          .glyph(font, style,
+                 {Q26_6::from_raw((kWidth * 64 - advance_q6) / 2),
+                  Q26_6::from_int(kBox.baseline)},
+                 glyph);
+      CHECK(ink(second) > 255 * 100);
+      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+        CHECK_EQ(picture[i], second[i]);
+      }
+    }
+  }
+}
+
+// Strokes of 2 to 6 samples: the area of each frame is on the line between the
+// ends, no frame is empty, and no step changes much more than the mean does.
+TEST(areas_go_evenly_and_nothing_pops) {
+  const Font& font = sample_font();
+  GlyphMorph morph(font, Q26_6::from_int(24), kFilterMotion, kBox, memory);
+  constexpr int32_t kSteps = 16;
+  for (uint16_t from = 2; from < 5; ++from) {
+    for (uint16_t to = 2; to < 5; ++to) {
+      CHECK_OK(morph.set(from, to));
+      draw_whole(morph, second);
+      const int32_t first = ink(second);
+      morph.step(Q16_16::from_int(1), scratch);
+      draw_whole(morph, picture);
+      const int32_t last = ink(picture);
+      const int32_t most = first > last ? first : last;
+      int32_t sum = 0;
+      int32_t worst = 0;
+      for (int32_t i = 1; i <= kSteps; ++i) {
+        morph.step(Q16_16::from_raw(kOne * i / kSteps), scratch);
+        draw_whole(morph, picture);
+        const int32_t even = first + (last - first) * i / kSteps;
+        CHECK(magnitude(ink(picture) - even) <= most * 5 / 100);
+        int32_t change = 0;
+        for (int32_t k = 0; k < kWidth * kHeight; ++k) {
+          change += magnitude(picture[k] - second[k]);
+          second[k] = picture[k];
+        }
+        sum += change;
+        worst = change > worst ? change : worst;
+      }
+      CHECK(from != to || worst <= 2 * 255);
+      CHECK(from == to || worst <= 2 * sum / kSteps);
+    }
+  }
+}
+
+TEST(morphs_do_not_depend_on_strips) {
+  const Font& font = sample_font();
+  for (int32_t scale = 0; scale <= 2; ++scale) {
+    MorphBox box = kBox;
+    box.scale_log2 = scale;
+    GlyphMorph morph(font, kSize, kFilterMotion, box, memory);
+    CHECK_OK(morph.set(1, 4));
+    morph.step(Q16_16::from_raw(kOne * 2 / 5), scratch);
+    draw_whole(morph, picture);
+    const int32_t kHeights[] = {1, 3, 8};
+    for (const int32_t rows : kHeights) {
+      clear(second);
+      for (int32_t y = 0; y < kHeight; y += rows) {
+        Canvas left = {second, intersect(kScreen, {0, y, 29, y + rows})};
+        Canvas right = {second, intersect(kScreen, {29, y, kWidth, y + rows})};
+        morph.draw(0, 0, left.sink());
+        morph.draw(0, 0, right.sink());
+      }
+      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+        CHECK_EQ(picture[i], second[i]);
+      }
+    }
+  }
+}
+
+TEST(morphs_do_not_depend_on_what_was_before) {
+  const Font& font = sample_font();
+  GlyphMorph morph(font, kSize, kFilterMotion, kBox, memory);
+  CHECK_OK(morph.set(1, 2));
+  CHECK_OK(morph.set(2, 3));  // 2 is known
+  morph.step(Q16_16::from_raw(kOne / 3), scratch);
+  draw_whole(morph, picture);
+  CHECK_OK(morph.set(3, 2));
+  CHECK_OK(morph.set(5, 4));
+  CHECK_OK(morph.set(2, 3));
+  CHECK_EQ(morph.progress().raw, 0);
+  morph.step(Q16_16::from_int(9), scratch);
+  morph.step(Q16_16::from_raw(kOne / 3), scratch);
+  draw_whole(morph, second);
+  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+    CHECK_EQ(picture[i], second[i]);
+  }
+  CHECK_EQ(morph.from(), 2);
+  CHECK_EQ(morph.to(), 3);
+}
+
+// Beside the glyph that the core draws with as much weight.
+TEST(offsets_move_edges) {
+  const Font& font = sample_font();
+  DistanceGrid grid(memory, kWidth, kHeight, 0);
+  grid.clear();
+  const Point origin = {Q26_6::from_int(12), Q26_6::from_int(44)};
+  CHECK_OK(grid.paint(font, kDiscGlyph, kSize, origin));
+  const int32_t kOffsets[] = {-96, 0, 80, 128};  // [px, Q6]
+  for (const int32_t offset : kOffsets) {
+    clear(picture);
+    Canvas canvas = {picture, kScreen};
+    draw_offset(grid, Q26_6::from_raw(offset), 0, 0, kFilterText,
+                canvas.sink());
+    const Filter filter = with_weight(
+        kFilterText, Q6_10::from_raw(static_cast<int16_t>(offset * 16)));
+    Style style(kSize, filter);
+    clear(second);
+    Canvas plain = {second, kScreen};
+    Painter(plain.sink()).glyph(font, style, origin, kDiscGlyph);
+    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+      CHECK(magnitude(picture[i] - second[i]) <= 16);
+    }
+  }
+}
+
+namespace {
+
+// With any filter, at any place.
+void draw_any(const DistanceGrid& grid, const GridLook& look, Random& random) {
+  FilterSpec spec;
+  spec.outside_px.raw = static_cast<int16_t>(random.next());
+  spec.inside_px.raw = static_cast<int16_t>(random.next());
+  const Filter filter = make_filter(spec);
+  clear(picture);
+  Canvas canvas = {picture, kScreen};
+  draw_grid(grid, look, random.between(-20, 60), random.between(-20, 60),
+            filter, canvas.sink());
+}
+
+}  // namespace
+
+TEST(hostile_morphs_do_no_harm) {
+  const Font& font = sample_font();
+  GlyphMorph empty(font, kSize, kFilterMotion, kBox, {memory, 5});
+  CHECK_EQ(empty.set(1, 2), Status::buffer_small);
+  empty.step(Q16_16::from_int(1), scratch);
+  draw_whole(empty, picture);
+  CHECK_EQ(ink(picture), 0);
+  GlyphMorph huge(font, Q26_6::from_int(5000), kFilterMotion, kBox, memory);
+  CHECK_EQ(huge.set(1, 2), Status::bad_argument);
+  draw_whole(huge, picture);
+  CHECK_EQ(ink(picture), 0);
+
+  Random random(21);
+  for (int8_t& sample : memory) {
+    sample = random.byte();
+  }
+  for (int round = 0; round < 60; ++round) {
+    const auto scale = static_cast<int32_t>(random.below(4));
+    const auto side = static_cast<int32_t>(1 + random.below(12));
+    const DistanceGrid a(memory, side, side, scale);
+    const DistanceGrid b({memory + 500, 500}, side, side,
+                         random.below(9) == 0 ? 0 : scale);
+    DistanceGrid between({memory + 1000, 500}, side, side, scale);
+    GridBlend how;
+    how.part_q8 = random.between(-400, 700);
+    how.depth_a = random.between(-200, 300);
+    how.depth_b = random.between(-200, 300);
+    how.area_a = static_cast<int32_t>(random.next());
+    how.area_b = static_cast<int32_t>(random.next());
+    GridLook look;
+    look.cutoff = blend(a, b, how, between, scratch);
+    draw_any(between, look, random);
+    look.cutoff.raw = static_cast<int32_t>(random.next());
+    look.slope_q8 = static_cast<int32_t>(random.next());
+    draw_any(a, look, random);
+  }
+}

@@ -1,0 +1,287 @@
+// Grids that flow: areas and shapes after a flow and its reverse, and distances
+// that are made anew.
+#include "check.hpp"
+#include "inkcell/motion/distance_grid.hpp"
+#include "inkcell/motion/grid_blend.hpp"
+#include "inkcell/simulation/advect.hpp"
+#include "inkcell/simulation/melt.hpp"
+#include "inkcell/simulation/redistance.hpp"
+#include "outline_record.hpp"
+#include "random.hpp"
+#include "rounds.hpp"
+
+namespace {
+
+using namespace inkcell;
+using namespace inkcell::motion;
+using namespace inkcell::simulation;
+
+constexpr int32_t kSide = 96;
+constexpr int32_t kOne = 1 << 16;
+constexpr uint16_t kDiscGlyph = 1;
+constexpr uint16_t kEllGlyph = 3;
+
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+int8_t first[kSide * kSide];
+int8_t second[kSide * kSide];
+int8_t original[kSide * kSide];
+GridHistogram scratch;
+
+const Font& sample_font() {
+  static Font font;
+  if (font.glyph_count() == 0) {
+    const size_t size = outline_record::build_sample_font(font_bytes);
+    CHECK_OK(Font::open({font_bytes, size}, font));
+  }
+  return font;
+}
+
+void paint(uint16_t glyph, DistanceGrid& grid) {
+  grid.clear();
+  CHECK_OK(grid.paint(sample_font(), glyph, Q26_6::from_int(72),
+                      {Q26_6::from_int(20), Q26_6::from_int(76)}));
+}
+
+int32_t magnitude(int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+// Difference of coverage, where a sample covers its square by a ramp.
+int32_t difference(const DistanceGrid& a, const DistanceGrid& b) {
+  int32_t sum = 0;
+  for (int32_t y = 0; y < kSide; ++y) {
+    for (int32_t x = 0; x < kSide; ++x) {
+      const auto covered = [](int32_t value) {
+        const int32_t part = 2 * value + 33;
+        return part < 0 ? 0 : part > 64 ? 64 : part;
+      };
+      sum += magnitude(covered(a.at(x, y)) - covered(b.at(x, y)));
+    }
+  }
+  return sum;
+}
+
+// Steps a grid by a flow, in turns from one buffer to the other.
+void flow_for(DistanceGrid& grid,
+              DistanceGrid& next,
+              const Flow& flow,
+              int32_t steps) {
+  for (int32_t i = 0; i < steps; ++i) {
+    advect(grid, flow, next);
+    if (i % 16 == 15) {
+      redistance(next, grid);
+      continue;
+    }
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+  }
+}
+
+constexpr int32_t kSteps = INKCELL_BOARD_FIRMWARE ? 8 : 48;
+
+}  // namespace
+
+TEST(drifting_there_and_back_changes_little) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  DistanceGrid before(original, kSide, kSide, 0);
+  paint(kEllGlyph, grid);
+  paint(kEllGlyph, before);
+  Flow flow;
+  flow.x_drift.raw = kOne * 3 / 10;
+  flow.y_drift.raw = -kOne / 5;
+  flow_for(grid, next, flow, kSteps);
+  CHECK(difference(grid, before) > before.area() / 20);
+  CHECK(magnitude(grid.area() - before.area()) <= before.area() * 2 / 100);
+  flow.x_drift.raw = -flow.x_drift.raw;
+  flow.y_drift.raw = -flow.y_drift.raw;
+  flow_for(grid, next, flow, kSteps);
+  CHECK(difference(grid, before) <= before.area() * 5 / 100);
+}
+
+TEST(a_reversed_vortex_leaves_the_shape) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  DistanceGrid before(original, kSide, kSide, 0);
+  paint(kDiscGlyph, grid);
+  paint(kDiscGlyph, before);
+  Vortex vortex;
+  vortex.x = Q16_16::from_int(40);
+  vortex.y = Q16_16::from_int(36);
+  vortex.strength = 20 * 256;
+  vortex.core = 10;
+  Flow flow;
+  flow.vortices = {&vortex, 1};
+  flow_for(grid, next, flow, kSteps);
+  CHECK(INKCELL_BOARD_FIRMWARE ||
+        difference(grid, before) > before.area() / 10);
+  CHECK(magnitude(grid.area() - before.area()) <= before.area() * 2 / 100);
+  vortex.strength = -vortex.strength;
+  flow_for(grid, next, flow, kSteps);
+  CHECK(magnitude(grid.area() - before.area()) <= before.area() * 3 / 100);
+  CHECK(difference(grid, before) <= before.area() * 4 / 100);
+  // A cutoff brings back what is left of the area.
+  const int32_t cutoff = cutoff_for(grid, before.area(), scratch).raw;
+  int64_t area = 0;
+  for (int32_t y = 0; y < kSide; ++y) {
+    for (int32_t x = 0; x < kSide; ++x) {
+      // A ramp of one sample, 2^13.
+      const int32_t covered = grid.at(x, y) * 256 + 128 - cutoff + 4096;
+      area += covered < 0 ? 0 : covered > 8192 ? 8192 : covered;
+    }
+  }
+  CHECK(magnitude(static_cast<int32_t>(area >> 7) - before.area()) <=
+        before.area() / 200);
+}
+
+TEST(vortices_turn_counter_clockwise) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  grid.clear();
+  // A spot to the right of the centre goes up.
+  for (int32_t y = -3; y <= 3; ++y) {
+    for (int32_t x = -3; x <= 3; ++x) {
+      grid.row(48 + y)[68 + x] = 60;
+    }
+  }
+  redistance(grid, next);
+  grid = next;
+  next = DistanceGrid(first, kSide, kSide, 0);
+  Vortex vortex;
+  vortex.x = vortex.y = Q16_16::from_int(48);
+  vortex.strength = 40 * 256;
+  vortex.core = 4;
+  Flow flow;
+  flow.vortices = {&vortex, 1};
+  flow_for(grid, next, flow, 8);
+  // By 40 / (20^2 + 4^2) of the radius a step: 0.77 rad.
+  CHECK(grid.at(48 + 14, 48 - 14) > 0);
+  CHECK(grid.at(48 + 14, 48 + 14) < 0);
+}
+
+TEST(distances_are_made_anew) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid before(original, kSide, kSide, 0);
+  DistanceGrid anew(second, kSide, kSide, 0);
+  const uint16_t kGlyphs[] = {kDiscGlyph, kEllGlyph};
+  for (const uint16_t glyph : kGlyphs) {
+    paint(glyph, grid);
+    paint(glyph, before);
+    // Twice as steep, and then as they were.
+    for (int8_t& sample : first) {
+      const int32_t steep = sample * 2;
+      sample = static_cast<int8_t>(steep > 127    ? 127
+                                   : steep < -128 ? -128
+                                                  : steep);
+    }
+    redistance(grid, anew);
+    int64_t squares = 0;
+    int32_t count = 0;
+    int32_t worst = 0;
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      if (original[i] > -96 && original[i] < 96) {
+        const int32_t off = magnitude(second[i] - original[i]);
+        squares += off * off;
+        worst = off > worst ? off : worst;
+        ++count;
+      }
+    }
+    // RMS 0.15 and worst 1.1 of a sample.
+    CHECK(squares <= int64_t{count} * 5 * 5);
+    CHECK(worst <= 35);
+    const int32_t area = before.area();
+    CHECK(magnitude(anew.area() - area) <= area / 100);
+    for (int32_t i = 0; i < 25; ++i) {
+      redistance(anew, grid);
+      redistance(grid, anew);
+    }
+    CHECK(magnitude(anew.area() - area) <= area * 2 / 100);
+  }
+}
+
+// The shape sinks to the floor as a puddle of the same area; another one
+// freezes out of it, from below, and is exact at last.
+TEST(shapes_melt_and_others_freeze) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  const DistanceGrid target(original, kSide, kSide, 0);
+  DistanceGrid whole = target;
+  paint(kDiscGlyph, grid);
+  paint(kEllGlyph, whole);
+  Melting how;
+  how.floor = Q26_6::from_int(80);
+  how.area = grid.area();
+  how.speed_q8 = 220;
+  const int32_t top = grid.known_box().y0;
+  for (int32_t i = 0; i < 160; ++i) {
+    melt(grid, how, scratch);
+    redistance(grid, next);
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+    CHECK(magnitude(grid.area() - how.area) <= how.area / 5);
+  }
+  CHECK(magnitude(grid.area() - how.area) <= how.area / 25);
+  CHECK(grid.known_box().y0 > top + 24);
+  for (int32_t x = 0; x < kSide; ++x) {
+    CHECK(grid.at(x, 81) < 0);
+  }
+  // It is filled where the puddle is, and above only later.
+  const auto missing = [&](int32_t from, int32_t to) {
+    int32_t count = 0;
+    for (int32_t y = from; y < to; ++y) {
+      for (int32_t x = 0; x < kSide; ++x) {
+        count += target.at(x, y) > 0 && grid.at(x, y) < 0 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  for (int32_t i = 0; i < 24; ++i) {
+    freeze(grid, target, 16);
+    redistance(grid, next);
+    const DistanceGrid swap = grid;
+    grid = next;
+    next = swap;
+  }
+  CHECK_EQ(missing(68, kSide), 0);
+  CHECK(missing(0, 50) > 0);
+  for (int32_t i = 0; i < 16; ++i) {
+    freeze(grid, target, 16);
+  }
+  CHECK_EQ(difference(grid, target), 0);
+}
+
+TEST(hostile_flows_do_no_harm) {
+  for (Rounds rounds(41, 60); rounds.next();) {
+    Random& random = rounds.random;
+    const auto raw = [&] { return static_cast<int32_t>(random.next()); };
+    for (int32_t i = 0; i < 900; ++i) {
+      first[i] = random.byte();
+    }
+    const auto width = static_cast<int32_t>(random.below(30));
+    const auto height = static_cast<int32_t>(random.below(30));
+    DistanceGrid grid(first, width, height, 0);
+    DistanceGrid next(second, width, random.below(9) == 0 ? 3 : height, 0);
+    Vortex vortices[5];
+    for (Vortex& vortex : vortices) {
+      vortex.x.raw = raw();
+      vortex.y.raw = raw();
+      vortex.strength = raw();
+      vortex.core = raw();
+    }
+    Flow flow;
+    flow.vortices = {vortices, random.below(6)};
+    flow.x_drift.raw = raw();
+    flow.y_drift.raw = raw();
+    advect(grid, flow, next);
+    redistance(grid, next);
+    redistance(next, grid);
+    Melting how;
+    how.floor.raw = raw();
+    how.speed_q8 = raw();
+    how.area = raw();
+    melt(grid, how, scratch);
+    freeze(grid, next, raw());
+  }
+}
