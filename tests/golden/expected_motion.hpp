@@ -1,4 +1,4 @@
-// The hashes of scenes, as `unit_tests golden_motion` prints them.
+// The hashes of scenes, as golden_motion and golden_simulation print them.
 #pragma once
 
 namespace golden {
