@@ -17,13 +17,10 @@ import shutil
 import sys
 import zipfile
 
-from toolchains import ROOT, finish, run
+from toolchains import FONT, ROOT, archives, arguments, call, finish, run
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 PLAYED = ROOT / "tests/build/arduino"
 PACK = ROOT / "port/arduino/pack.py"
-LIBRARIES = ["core/layout/libinkcell_layout.a",
-             "port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
 COMPILE = ["g++", "-std=gnu++17", "-O1", "-fno-exceptions", "-fno-rtti",
            "-DARDUINO=10819", "-w"]
 # Library Manager's rules, from the specification of Arduino libraries: fields of
@@ -120,7 +117,7 @@ def check_sketch(folder, name, work, build, includes, sources):
                   f"-I{folder / 'examples' / name}", f"-I{PLAYED}", "-include",
                   "Arduino.h", PLAYED / f"test_{name}.cpp",
                   PLAYED / "core/core.cpp", *sources,
-                  *(build / library for library in LIBRARIES), "-o", program])
+                  *archives(build), "-o", program])
     if result.returncode == 0:
         result = run([program])
         print(result.stdout, end="")
@@ -145,16 +142,10 @@ def check_platformio(folder, work, includes):
 
 
 def main():
-    work, build, fontgen = (pathlib.Path(word).resolve()
-                            for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, build, fontgen = arguments()
     folder = work / "Inkcell"
     url = "https://example.org/inkcell"
-    packed = run([sys.executable, "-B", PACK, FONT, fontgen, folder, "--url",
-                  url])
-    if packed.returncode != 0:
-        finish(0, [packed.stdout])
+    call(sys.executable, "-B", PACK, FONT, fontgen, folder, "--url", url)
     problems = check_rules(folder, url)
     told = run([sys.executable, "-B", PACK, "--help"])
     problems += [f"pack.py --help does not name {word}" for word in

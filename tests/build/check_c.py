@@ -8,23 +8,18 @@ interface each example takes on Cortex-M0 at -Os.
 
 Usage: check_c.py WORK_FOLDER BUILD_FOLDER
 """
-import pathlib
 import re
-import shutil
 import sys
 
-from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, ROOT, c_compiler,
-                        compile_object, finish, in_parallel, require, run)
+from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, ROOT, archives, arguments,
+                        c_compiler, call, compile_object, finish, in_parallel,
+                        require, run)
 
 PORT = ROOT / "port/c"
 HEADERS = PORT / "include/inkcell/c"
 EXAMPLES = PORT / "examples"
 # What the table does not make.
 BY_HAND = {"src/mirror.hpp", "src/painter_of.cpp"}
-LIBRARIES = ["port/c/libinkcell_port_c.a", "port/pixel/libinkcell_port_pixel.a",
-             "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
-             "core/field/libinkcell_field.a", "core/motion/libinkcell_motion.a",
-             "core/libinkcell_core.a"]
 
 # How each example is called, with a font that is none.
 CALLS = {
@@ -141,7 +136,7 @@ def link(example, work, build):
                       "-nostdlib", "-static", "-no-pie", "-Wl,--gc-sections",
                       "-Wl,-e,run", f"{source}.o", memory,
                       EXAMPLES / f"{example}.c",
-                      *(build / name for name in LIBRARIES), "-o", program])
+                      *archives(build), "-o", program])
     if result.returncode != 0:
         return [f"{example}: {result.stdout}"]
     names = run(["nm", "-C", "--defined-only", program]).stdout
@@ -191,14 +186,11 @@ def print_sizes(folder):
 
 
 def main():
-    work, build = map(pathlib.Path, sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, build = arguments()
     require(["gcc", "nm", COMPILERS["Cortex-M0"][0][0]])
     problems = check_table(work)
-    problems += check_functions(build / LIBRARIES[0])
-    all_names = "".join(run(["nm", "-C", "--defined-only", build / name]).stdout
-                        for name in LIBRARIES)
+    problems += check_functions(archives(build)[0])
+    all_names = call("nm", "-C", "--defined-only", *archives(build))
     problems += [f"{name} is nowhere: the test looks for nothing"
                  for name in {*sum(WITHOUT.values(), []), *WITH.values()}
                  if name not in all_names]

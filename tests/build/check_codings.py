@@ -3,12 +3,9 @@ with `unsupported`, and have no code of the other coding.
 
 Usage: check_codings.py WORK_FOLDER PROBE_OF_OUTLINES PROBE_OF_FIELDS
 """
-import pathlib
-import shutil
-import sys
 import zlib
 
-from toolchains import ROOT, finish, run
+from toolchains import ROOT, arguments, finish, run
 
 FONTS = [ROOT / "tests/golden/fonts" / f"dejavu_sans_{coding}.bin"
          for coding in ("outline", "field")]
@@ -32,9 +29,7 @@ def font_of_edges(work):
 
 
 def main():
-    work, *probes = map(pathlib.Path, sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, *probes = arguments()
     fonts = [*FONTS, font_of_edges(work)]
     problems = []
     for own, probe in enumerate(probes):

@@ -14,7 +14,6 @@ Usage: check_debian_packages.py <work folder> <build folder of the host>
 Exits with 77 where there is no dpkg.
 """
 import ast
-import functools
 import json
 import os
 import pathlib

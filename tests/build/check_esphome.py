@@ -10,17 +10,15 @@ Usage: check_esphome.py WORK_FOLDER BUILD_FOLDER FONTGEN
 import asyncio
 import os
 import pathlib
-import shutil
 import sys
 import types
 
-from toolchains import ROOT, finish, run
+from toolchains import (FONT, INCLUDES, ROOT, archives, arguments, finish, make_font,
+                        run)
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 COMPONENT = ROOT / "port/esphome/components/inkcell"
 HERE = ROOT / "tests/build/esphome"
 SOURCES = [HERE / "test_font.cpp", COMPONENT / "inkcell_font.cpp"]
-LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
 
 
 class Anything:
@@ -115,21 +113,14 @@ def check_python(fontgen):
 
 
 def main():
-    work, build, fontgen = (pathlib.Path(word).resolve()
-                            for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    (work / "fonts").mkdir(parents=True)
+    work, build, fontgen = arguments()
     problems = check_python(fontgen)
-    made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E,0xB0", "--name=sans",
-                "--quiet", f"--out={work / 'fonts/sans.hpp'}"])
-    includes = [f"-I{path}" for path in
-                (work, COMPONENT, ROOT / "core/include",
-                 ROOT / "port/pixel/include")]
-    command = ["g++", "-std=gnu++20", "-w", "-fno-exceptions", *includes]
+    make_font(fontgen, work / "fonts/sans.hpp", "0x20-0x7E,0xB0")
+    command = ["g++", "-std=gnu++20", "-w", "-fno-exceptions", f"-I{work}",
+               f"-I{COMPONENT}", *INCLUDES]
     program = work / "test_font"
-    result = made if made.returncode != 0 else run(
-        [*command, f"-I{HERE / 'played'}", *SOURCES,
-         *(build / name for name in LIBRARIES), "-o", program])
+    result = run([*command, f"-I{HERE / 'played'}", *SOURCES, *archives(build), "-o",
+                  program])
     if result.returncode == 0:
         result = run([program])
         print(result.stdout, end="")

@@ -5,17 +5,14 @@ sizes with tests/limits.json.
 Code is .text of the program with libgcc, memcpy() and memset(), without start-up
 code; RAM is what is static. Stack is what main() took in QEMU. Both machines, and
 programs of C++ and C, must show the same screens. WORK_FOLDER/figures.json holds
-the sizes, for the table of docs/PORTING.md.
+the sizes, for the table of docs/DISPLAY.md.
 
 Usage: check_examples.py WORK_FOLDER FONTGEN PROGRAM...
 """
 import json
-import pathlib
 import re
-import shutil
-import sys
 
-from toolchains import ARM, ROOT, finish, require, run
+from toolchains import ARM, ROOT, arguments, call, finish, require, run
 import limits
 
 EXAMPLES = ROOT / "port/display/examples"
@@ -23,14 +20,6 @@ TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
 QEMU = ROOT / "boards/common/qemu_run.sh"
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
-
-
-def call(*command):
-    """Output of a command that must work."""
-    result = run(command)
-    if result.returncode != 0:
-        finish(0, [" ".join(map(str, command)) + "\n" + result.stdout])
-    return result.stdout
 
 
 def source_of(name):
@@ -86,10 +75,8 @@ def check(program, build, screens, figures):
 
 
 def main():
-    work, fontgen, *programs = (pathlib.Path(word).resolve()
-                                for word in sys.argv[1:])
+    work, fontgen, *programs = arguments()
     require([ARM + "g++", "cmake", "ninja", "qemu-system-arm"])
-    shutil.rmtree(work, ignore_errors=True)
     sources = {path.name for path in EXAMPLES.glob("*.c*")} - {"your_board.c"}
     tested = {source_of(path.name.removeprefix("example_"))
               for path in programs}

@@ -14,9 +14,8 @@ import os
 import pathlib
 import re
 import shutil
-import sys
 
-from toolchains import ROOT, finish, in_parallel, require, run
+from toolchains import FONT, ROOT, arguments, finish, in_parallel, require, run
 
 SOURCES = ROOT / "fonts_gen/src"
 # Headers of libraries, and where Debian has them.
@@ -26,7 +25,6 @@ HEADERS = ("CLI", "fribidi", "freetype2", "harfbuzz", "nlohmann", "png.h",
 PLACES = ("/usr/include", "/usr/include/x86_64-linux-gnu")
 MINGW = "x86_64-w64-mingw32-g++-posix"
 WINE = "wine"
-FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
 def newest_clang():
@@ -99,9 +97,7 @@ def check_windows(work, fontgen):
 
 
 def main():
-    work, fontgen = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, fontgen = arguments()
     require(["clang++"])
     headers = link_headers(work)
     own = [f"-I{path}" for path in

@@ -9,19 +9,11 @@ Usage: check_micropython.py WORK_FOLDER BUILD_FOLDER FONTGEN
 import os
 import pathlib
 import re
-import shutil
-import sys
 
-from toolchains import C_WARNINGS, ROOT, finish, run
+from toolchains import C_WARNINGS, FONT, ROOT, archives, arguments, finish, run
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 MODULE = ROOT / "port/micropython/inkcell/inkcell_module.c"
 HERE = ROOT / "tests/build/micropython"
-LIBRARIES = ["port/c/libinkcell_port_c.a", "port/display/libinkcell_port_display.a",
-             "port/pixel/libinkcell_port_pixel.a",
-             "core/motion/libinkcell_motion.a", "core/layout/libinkcell_layout.a",
-             "core/cache/libinkcell_cache.a",
-             "core/field/libinkcell_field.a", "core/libinkcell_core.a"]
 # Parts of the unix port that need more than its own sources.
 WITHOUT = ["MICROPY_PY_BTREE=0", "MICROPY_PY_SSL=0", "MICROPY_SSL_MBEDTLS=0",
            "MICROPY_PY_FFI=0", "MICROPY_PY_THREAD=0", "MICROPY_PY_SOCKET=0",
@@ -52,8 +44,7 @@ def check_real(sources, work, build, fontgen):
             [fontgen, f"--font={FONT}", "--symbols=0123456789.\u00b0CA ",
              "--name=sans", "--format=bin", "--quiet", f"--out={font}"],
             ["gcc", "-std=c99", f"-I{ROOT / 'port/c/include'}",
-             HERE / "expected.c", *(build / name for name in LIBRARIES), "-o",
-             expected],
+             HERE / "expected.c", *archives(build), "-o", expected],
             [expected, font, work / "wanted"]):
         result = run(command)
         if result.returncode != 0:
@@ -74,10 +65,7 @@ def check_real(sources, work, build, fontgen):
 
 
 def main():
-    work, build, fontgen = (pathlib.Path(word).resolve()
-                            for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, build, fontgen = arguments()
     problems = check_played(work)
     given = os.environ.get("INKCELL_MICROPYTHON_DIR")
     if given is None:

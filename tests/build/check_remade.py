@@ -5,12 +5,9 @@ time. So it is with sources of C, and with files for storage and their headers.
 Usage: check_remade.py WORK_FOLDER FONTGEN
 """
 import pathlib
-import shutil
-import sys
 
-from toolchains import ROOT, finish, run
+from toolchains import FONT, FONTS, ROOT, arguments, finish, run
 
-FONTS = pathlib.Path("/usr/share/fonts/truetype")
 SQUARE = ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8">'
           '<path d="M0 0h{0}v{0}h-{0}z"/></svg>\n')
 OPTIONS = ["--svg-dir={0}/icons", "--text-file={0}/text.txt",
@@ -23,8 +20,8 @@ CHANGES = {
     "a new icon": ("icons/two.svg", SQUARE.format(5)),
     "a text": ("text.txt", "A and C\n"),
     "strings": ("ui.txt", "title = CA\n"),
-    "a merged face": ("more.ttf", FONTS / "dejavu/DejaVuSansMono.ttf"),
-    "the font": ("font.ttf", FONTS / "dejavu/DejaVuSans-Bold.ttf"),
+    "a merged face": ("more.ttf", FONTS / "truetype/dejavu/DejaVuSansMono.ttf"),
+    "the font": ("font.ttf", FONTS / "truetype/dejavu/DejaVuSans-Bold.ttf"),
     "an icon that goes": ("icons/two.svg", None),
 }
 # CMake's Makefiles never forget a dependency: without a file that is gone they make
@@ -89,8 +86,8 @@ def write_project(folder, name, text, fontgen, suffix):
     write(folder / "icons/one.svg", SQUARE.format(8))
     write(folder / "text.txt", "A\n")
     write(folder / "ui.txt", "title = AC\n")
-    write(folder / "more.ttf", FONTS / "dejavu/DejaVuSerif.ttf")
-    write(folder / "font.ttf", FONTS / "dejavu/DejaVuSans.ttf")
+    write(folder / "more.ttf", FONTS / "truetype/dejavu/DejaVuSerif.ttf")
+    write(folder / "font.ttf", FONT)
     is_stored = suffix == ".bin"
     options = [option.format(folder) for option in
                [*OPTIONS, PAGED if is_stored else STRINGS]]
@@ -150,8 +147,7 @@ def problems_of(work, system, fontgen):
 
 
 def main():
-    work, fontgen = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
+    work, fontgen = arguments()
     problems = [problem for system in SYSTEMS
                 for problem in problems_of(work, system, fontgen)]
     finish(len(SYSTEMS) * len(CHANGES) - len(problems), problems)

@@ -12,7 +12,6 @@ Usage: check_rooms.py
 """
 import collections
 import re
-import sys
 
 from toolchains import ROOT, finish
 

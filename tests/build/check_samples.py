@@ -10,23 +10,15 @@ Usage: check_samples.py WORK_FOLDER BUILD_FOLDER FONTGEN
 import os
 import pathlib
 import re
-import shutil
-import sys
 
-from toolchains import ROOT, finish, run
+from toolchains import (INCLUDES, ROOT, archives, arguments, finish, make_font,
+                        run)
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 HERE = ROOT / "tests/build"
 SAMPLES = {"esp_idf": ROOT / "port/esp_idf/example/main",
            "zephyr": ROOT / "port/zephyr/sample/src",
            "board": ROOT / "boards/example",
            "animating": HERE / "animating"}
-LIBRARIES = ["core/motion/libinkcell_motion.a", "core/layout/libinkcell_layout.a",
-             "port/display/libinkcell_port_display.a",
-             "port/pixel/libinkcell_port_pixel.a", "core/libinkcell_core.a"]
-INCLUDES = [f"-I{ROOT / path}" for path in
-            ("core/include", "core/motion/include", "core/layout/include",
-             "port/pixel/include", "port/display/include", "boards/common")]
 
 
 def check_sample(name, work, build):
@@ -34,8 +26,8 @@ def check_sample(name, work, build):
     program = work / name
     result = run(["g++", "-std=gnu++17", "-Wall", "-Wextra", "-Werror",
                   f"-I{work}", f"-I{folder}", f"-I{HERE / name / 'played'}",
-                  *INCLUDES, HERE / name / "run.cpp",
-                  *(build / library for library in LIBRARIES), "-o", program])
+                  *INCLUDES, f"-I{ROOT / 'boards/common'}", HERE / name / "run.cpp",
+                  *archives(build), "-o", program])
     if result.returncode == 0:
         result = run([program])
         print(f"{name}:\n{result.stdout}", end="")
@@ -78,15 +70,9 @@ def check_zephyr():
 
 
 def main():
-    work, build, fontgen = (pathlib.Path(word).resolve()
-                            for word in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    (work / "fonts").mkdir(parents=True)
+    work, build, fontgen = arguments()
     for name in ("room", "sans"):
-        made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E", f"--name={name}",
-                    "--quiet", f"--out={work / f'fonts/{name}.hpp'}"])
-        if made.returncode != 0:
-            finish(0, [made.stdout])
+        make_font(fontgen, work / f"fonts/{name}.hpp")
     problems = check_zephyr()
     for name in SAMPLES:
         problems += check_sample(name, work, build)

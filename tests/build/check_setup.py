@@ -4,11 +4,8 @@ that it calls: as root, through sudo, and where neither is allowed.
 Usage: check_setup.py <work folder>
 """
 import os
-import pathlib
-import shutil
-import sys
 
-from toolchains import ROOT, finish, run
+from toolchains import ROOT, arguments, finish, run
 
 PROGRAMS = {
     # Only git is installed.
@@ -34,9 +31,7 @@ def set_up(work, who, may):
 
 
 def main():
-    work = pathlib.Path(sys.argv[1]).resolve()
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    work, = arguments()
     for name, text in PROGRAMS.items():
         (work / name).write_text(f"#!/bin/sh\n{text}\n")
         os.chmod(work / name, 0o755)

@@ -7,18 +7,15 @@ The compiler is no package that tests need: the test says whether it was there.
 
 Usage: check_xtensa.py WORK_FOLDER BUILD_FOLDER FONTGEN
 """
-import pathlib
 import shutil
 import sys
 
-from toolchains import (DEVICE_FLAGS, INCLUDES, LAUNCHER, ROOT, WARNINGS,
-                        device_sources, finish, in_parallel, require, run)
+from toolchains import (DEVICE_FLAGS, INCLUDES, LAUNCHER, ROOT, WARNINGS, archives,
+                        arguments, call, device_sources, finish, in_parallel,
+                        make_font, require, run)
 
 CXX = "xtensa-lx106-elf-g++"
 HERE = ROOT / "tests/build/xtensa"
-LIBRARIES = ["port/pixel/libinkcell_port_pixel.a", "core/layout/libinkcell_layout.a",
-             "core/motion/libinkcell_motion.a", "core/libinkcell_core.a"]
-FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
 def compile_source(source, target):
@@ -29,18 +26,13 @@ def compile_source(source, target):
 
 
 def main():
-    work, build, fontgen = (pathlib.Path(word).resolve() for word in sys.argv[1:])
+    work, build, fontgen = arguments()
     if shutil.which(CXX) is None:
         print(f"skipped: there is no {CXX}; on Debian: apt-get install "
               "gcc-xtensa-lx106")
         sys.exit(77)
     require(["g++", "qemu-system-xtensa"])
-    shutil.rmtree(work, ignore_errors=True)
-    (work / "fonts").mkdir(parents=True)
-    made = run([fontgen, f"--font={FONT}", "--chars=0x20-0x7E", "--name=sans",
-                "--quiet", f"--out={work / 'fonts/sans.hpp'}"])
-    if made.returncode != 0:
-        finish(0, [made.stdout])
+    make_font(fontgen, work / "fonts/sans.hpp")
     sources = [*device_sources(), ROOT / "boards/common/memory.cpp",
                *(HERE / name for name in ("draw.cpp", "rom.cpp", "start.S"))]
     objects = [work / f"{i}_{source.stem}.o" for i, source in enumerate(sources)]
@@ -53,10 +45,8 @@ def main():
             [CXX, "-nostdlib", f"-T{HERE / 'sim.ld'}", "-Wl,--gc-sections",
              *objects, "-lgcc", "-o", program],
             ["g++", "-std=c++17", *INCLUDES, f"-I{work}", HERE / "draw.cpp",
-             *(build / library for library in LIBRARIES), "-o", here]):
-        result = run(command)
-        if result.returncode != 0:
-            finish(len(sources), [result.stdout[-3000:]])
+             *archives(build), "-o", here]):
+        call(*command)
     drawn = run([here])
     shown = run(["qemu-system-xtensa", "-M", "sim", "-cpu", "lx106", "-semihosting",
                  "-display", "none", "-monitor", "none", "-serial", "none",

@@ -9,8 +9,12 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # of limits.py
 
-# The folders of core that are libraries of their own.
+# The folders of core that are libraries of their own, each before those that use it.
 LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored")
+
+# What most tests make fonts of.
+FONTS = pathlib.Path("/usr/share/fonts")
+FONT = FONTS / "truetype/dejavu/DejaVuSans.ttf"
 
 # What the device library is compiled with: core/CMakeLists.txt.
 DEVICE_FLAGS = [
@@ -78,6 +82,23 @@ def c_headers():
     return sorted(str(path.relative_to(root)) for path in root.glob("**/*.h"))
 
 
+def archives(build):
+    """The libraries of a build for the host, in the order in which they are linked."""
+    return [build / f"{folder}/{name}/libinkcell_{prefix}{name}.a"
+            for folder, prefix, names in (
+                ("port", "port_", ("c", "display", "pixel")),
+                ("core", "", reversed(LIBRARIES)))
+            for name in names] + [build / "core/libinkcell_core.a"]
+
+
+def arguments():
+    """Arguments of the test as paths. The first is its work folder, now empty."""
+    paths = [pathlib.Path(word).resolve() for word in sys.argv[1:]]
+    shutil.rmtree(paths[0], ignore_errors=True)
+    paths[0].mkdir(parents=True)
+    return paths
+
+
 def require(programs):
     """Ends the test if a program is missing: a skipped check is no check."""
     missing = [name for name in programs if shutil.which(name) is None]
@@ -91,6 +112,21 @@ def run(command, **options):
     return subprocess.run([str(word) for word in command], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           **options)
+
+
+def call(*command, **options):
+    """Output of a command, which must work or ends the test."""
+    result = run(command, **options)
+    if result.returncode != 0:
+        finish(0, [" ".join(map(str, command)) + "\n" + result.stdout])
+    return result.stdout
+
+
+def make_font(fontgen, header, chars="0x20-0x7E"):
+    """Makes a header of C++; its array has the header's name."""
+    header.parent.mkdir(parents=True, exist_ok=True)
+    call(fontgen, f"--font={FONT}", f"--chars={chars}", f"--name={header.stem}",
+         "--quiet", f"--out={header}")
 
 
 def compile_object(machine, flags, source, target, **options):

@@ -518,19 +518,9 @@ class Tools(unittest.TestCase):
 
     def test_keys_of_jobs_are_listed(self):
         listed = run("render", "--help").split("--jobs FILE.jsonl")[1]
-        read = (pathlib.Path(__file__).parents[2] /
-                "docs/PORTING.md").read_text()
-        read = read.split("`inkcell-render --jobs FILE.jsonl`")[1]
         listed = listed.split("--out")[0].replace("\n", " ")
-        read = read.split("\n\n")[0].replace("\n", " ")
-        for text, pattern in [(listed, r"\b{}\b"), (read, "`{}`")]:
-            places = [re.search(pattern.format(key), text)
-                      for key in self.JOB_KEYS]
-            self.assertNotIn(None, places)
-            places = [place.start() for place in places]
-            self.assertEqual(places, sorted(places))
-            for word in ("px/em", "1/64 px", "degrees", "static", "anim"):
-                self.assertIn(word, text)
+        for word in (*self.JOB_KEYS, "px/em", "1/64 px", "degrees", "static", "anim"):
+            self.assertRegex(listed, rf"\b{word}\b")
 
     def test_values_of_jobs_are_not_bent(self):
         for value, shown in [

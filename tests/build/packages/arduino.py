@@ -2,9 +2,8 @@
 as include folder, and a core that is played. check_arduino.py has the rest."""
 import sys
 
-from packages.consumer import FONT, call
 from packages.file_list import compile_all, link
-from toolchains import ROOT
+from toolchains import FONT, ROOT, call
 
 CORE = ROOT / "tests/build/arduino/core"
 MAIN = """#include "Arduino.h"

@@ -2,11 +2,9 @@
 without start-up code."""
 import pathlib
 import re
-import sys
 
-from toolchains import ROOT, run
+from toolchains import ROOT, call, finish
 
-FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 CPU = ["-mcpu=cortex-m0", "-mthumb"]
 COMPILE = [*CPU, "-Os", "-ffunction-sections", "-fdata-sections",
            "-fno-exceptions", "-fno-rtti"]
@@ -38,15 +36,6 @@ LIBRARIES = {"cache": "core/cache", "field": "core/field",
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 
-def call(*command, **options):
-    """Output of a command that must work."""
-    result = run(command, **options)
-    if result.returncode != 0:
-        words = " ".join(map(str, command))
-        sys.exit(f"{words}\n{result.stdout}\n0 passed, 1 failed")
-    return result.stdout
-
-
 def write_sources(folder):
     """The README's code and a main() beside it."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -56,13 +45,6 @@ def write_sources(folder):
     (folder / "main.cpp").write_text(MAIN)
 
 
-def make_font(fontgen, folder):
-    """<folder>/fonts/dejavu_sans.hpp, as the README's program includes it."""
-    (folder / "fonts").mkdir(parents=True)
-    call(fontgen, f"--font={FONT}", "--name=dejavu_sans", *FONT_OPTIONS,
-         "--quiet", f"--out={folder / 'fonts/dejavu_sans.hpp'}")
-
-
 def check_libraries(system, paths, wanted):
     """Ends the test unless sources or objects are of the libraries that a project
     asks for, and of no other."""
@@ -70,8 +52,8 @@ def check_libraries(system, paths, wanted):
     found = [name for name, folder in LIBRARIES.items()
              if any(f"/{folder}/" in path for path in paths)]
     if not paths or found != list(wanted):
-        sys.exit(f"{system}: libraries {found} are compiled of {len(paths)} "
-                 f"files, not {list(wanted)}\n0 passed, 1 failed")
+        finish(0, [f"{system}: libraries {found} are compiled of {len(paths)} "
+                   f"files, not {list(wanted)}"])
 
 
 def library_symbols(kconfig):
@@ -81,8 +63,7 @@ def library_symbols(kconfig):
     if (symbols != [f"INKCELL_{name.upper()}" for name in LIBRARIES] or
             source is None or
             (kconfig.parent / source.group(1)).resolve() != KCONFIG):
-        sys.exit(f"{kconfig} leads to {source}, with {symbols}\n"
-                 "0 passed, 1 failed")
+        finish(0, [f"{kconfig} leads to {source}, with {symbols}"])
     return symbols
 
 
@@ -92,8 +73,7 @@ def size_of(program):
     names = call("arm-none-eabi-nm", "-C", program)
     for name in FIELDS:
         if name in names:
-            sys.exit(f"{program}: {name} is linked by default\n"
-                     "0 passed, 1 failed")
+            finish(0, [f"{program}: {name} is linked by default"])
     text, data = call("arm-none-eabi-size", program).splitlines()[1].split()[:2]
     return int(text) + int(data)
 

@@ -1,6 +1,6 @@
 """ESP-IDF: its component function, played by CMake, says what it was given."""
-from packages.consumer import FONT, call, check_libraries, library_symbols
-from toolchains import ROOT
+from packages.consumer import check_libraries, library_symbols
+from toolchains import FONT, ROOT, call
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES CXX)

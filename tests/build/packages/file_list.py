@@ -1,7 +1,6 @@
-"""No build system: the compiler and the folders that docs/PORTING.md names."""
-from packages.consumer import (COMPILE, LINK, call, make_font, size_of,
-                               write_sources)
-from toolchains import DEVICE_FLAGS, ROOT, in_parallel
+"""No build system: the compiler and the folders that docs/BUILD.md names."""
+from packages.consumer import COMPILE, LINK, size_of, write_sources
+from toolchains import DEVICE_FLAGS, ROOT, call, in_parallel, make_font
 
 
 def compile_all(folder, sources, options):
@@ -22,7 +21,7 @@ def link(program, objects):
 def build(work, _, fontgen):
     folder = work / "files"
     write_sources(folder)
-    make_font(fontgen, folder)
+    make_font(fontgen, folder / "fonts/dejavu_sans.hpp")
     sources = [*ROOT.glob("core/src/*/*.cpp"),
                *ROOT.glob("core/layout/src/*.cpp"),
                *ROOT.glob("port/pixel/src/*.cpp"),

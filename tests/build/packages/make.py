@@ -1,9 +1,9 @@
 """Make: the whole Makefile of port/make/example, and port/make/inkcell.mk."""
 import shutil
 
-from packages.consumer import (CPU, FONT, FONT_OPTIONS, LIBRARIES, LINK, call,
-                               check_libraries, size_of, write_sources)
-from toolchains import ROOT, run
+from packages.consumer import (CPU, FONT_OPTIONS, LIBRARIES, LINK, check_libraries,
+                               size_of, write_sources)
+from toolchains import FONT, ROOT, call, finish, run
 
 # Beside the whole Makefile: fonts before any goal, and a comma in their options.
 OF_C = """include $(INKCELL)/port/make/inkcell.mk
@@ -14,7 +14,7 @@ list: $(INKCELL_FONTS)/fonts/in_c.c
 
 
 def stop(problem):
-    raise SystemExit(f"Make: {problem}\n0 passed, 1 failed")
+    finish(0, [f"Make: {problem}"])
 
 
 def build(work, _, fontgen):

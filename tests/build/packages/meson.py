@@ -1,9 +1,9 @@
 """Meson: Inkcell below subprojects/, and a cross file."""
 import json
 
-from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LIBRARIES, LINK,
-                               call, check_libraries, size_of, write_sources)
-from toolchains import ROOT
+from packages.consumer import (COMPILE, FONT_OPTIONS, LIBRARIES, LINK,
+                               check_libraries, size_of, write_sources)
+from toolchains import FONT, ROOT, call
 
 PROJECT = """project('user', 'cpp', default_options: ['cpp_std=c++17',
   'optimization=s', 'b_pie=false', 'cpp_rtti=false', 'cpp_eh=none'])

@@ -1,8 +1,8 @@
 """PlatformIO: library.json, and its script in an environment that is played."""
 import json
 
-from packages.consumer import FONT, FONT_OPTIONS
-from toolchains import ROOT
+from packages.consumer import FONT_OPTIONS
+from toolchains import FONT, ROOT, finish
 
 
 class Environment:
@@ -38,8 +38,7 @@ def run_script(script, folder, fontgen):
              {"Import": lambda name: None, "env": environment})
         times.append((made / "fonts/dejavu_sans.hpp").stat().st_mtime_ns)
     if times[0] != times[1] or environment.includes[0] != str(made):
-        raise SystemExit("PlatformIO: the font is made twice, or not found\n"
-                         "0 passed, 1 failed")
+        finish(0, ["PlatformIO: the font is made twice, or not found"])
 
 
 def sources(folder, fontgen):
@@ -48,12 +47,10 @@ def sources(folder, fontgen):
     includes = [flag[3:] for flag in build["flags"] if flag.startswith("-I ")]
     for path in [build["includeDir"], *includes]:
         if not (ROOT / path).is_dir():
-            raise SystemExit(f"library.json: no folder {path}\n"
-                             "0 passed, 1 failed")
+            finish(0, [f"library.json: no folder {path}"])
     header = ROOT / build["includeDir"] / manifest["headers"]
     if not header.exists() or build["srcFilter"][0] != "-<*>":
-        raise SystemExit(f"library.json: {header}, {build['srcFilter']}\n"
-                         "0 passed, 1 failed")
+        finish(0, [f"library.json: {header}, {build['srcFilter']}"])
     run_script(ROOT / build["extraScript"], folder, fontgen)
     return [str(path) for word in build["srcFilter"][1:]
             for path in (ROOT / build["srcDir"] / word[2:-1]).rglob("*.cpp")]
