@@ -1,6 +1,6 @@
 // A screen of your own on an emulated board: copy this folder. 128 x 64 px,
 // grey of 4 bits; for another board change its name in the commands of
-// docs/PORTING.md, and here the format, the canvas and the sizes.
+// docs/BOARD.md, and here the format, the canvas and the sizes.
 #include <fonts/sans.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/layout/text_box.hpp>

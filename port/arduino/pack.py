@@ -77,7 +77,7 @@ def main():
     for path in (arguments.font, shutil.which(arguments.fontgen)):
         if path is None or not pathlib.Path(path).is_file():
             sys.exit(f"{path or arguments.fontgen}: no such file; FONTGEN is the path "
-                     "of inkcell-fontgen (docs/PORTING.md, \"Get the generator\")")
+                     "of inkcell-fontgen (docs/BUILD.md, \"Get the generator\")")
     folder.mkdir(parents=True)
     for source, target in FOLDERS.items():
         shutil.copytree(ROOT / source, folder / "src" / target,

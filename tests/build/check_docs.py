@@ -1,6 +1,6 @@
 """Checks what can be false in documents and the form of all tracked files.
 
-Links, paths and symbols in documents are there, tables of figures are those of
+Links, paths and names in documents are there, tables of figures are those of
 docs/figures.json, FORMAT.md places numbers where the library does, versions agree,
 and no file names a path that only one machine has.
 
@@ -42,7 +42,7 @@ def anchor(heading):
     return words.replace(" ", "-")
 
 
-def check_links(name, text, files):
+def check_links(name, text):
     """Links of a document that lead nowhere."""
     problems = []
     prose = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
@@ -69,6 +69,18 @@ def check_paths(name, text):
     return [f"{name}: names {path}: no such file"
             for path in sorted(set(re.findall(pattern, text)))
             if not (ROOT / path.rstrip(".")).exists()]
+
+
+def check_names(name, text, code):
+    """Headers and options of CMake that a document names and that no source has."""
+    folders = [*ROOT.glob("core/include"), *ROOT.glob("core/*/include"),
+               *ROOT.glob("port/*/include"), ROOT / "port/c/include/inkcell"]
+    headers = set(re.findall(r"[`<](inkcell/[\w./]+\.hp{0,2})[`>]", text))
+    options = set(re.findall(r"\bINKCELL_[A-Z0-9_]+", text))
+    return ([f"{name}: names {header}: no such header" for header in sorted(headers)
+             if not any((folder / header).exists() for folder in folders)] +
+            [f"{name}: names {option}, which no source has"
+             for option in sorted(options) if option not in code])
 
 
 # A symbol of a source, as an item: - `path`: `symbol`.
@@ -128,13 +140,14 @@ def check_versions(files):
     form = ".".join(constant(header, "kFormat" + part)
                     for part in ("Major", "Minor"))
     problems = []
-    project = re.search(r"project\(inkcell VERSION ([\d.]+)",
-                        files["CMakeLists.txt"]).group(1)
-    if project != library:
-        problems.append(f"CMakeLists.txt: version {project}, library {library}")
     for name, pattern, version in [
             ("docs/FORMAT.md", r"[Ff]ormat version\D{0,8}(\d+\.\d+)", form),
-            ("docs/CHANGELOG.md", r"^## \D*(\d+\.\d+\.\d+)", library)]:
+            ("docs/CHANGELOG.md", r"^## \D*(\d+\.\d+\.\d+)", library),
+            ("CMakeLists.txt", r"project\(inkcell VERSION ([\d.]+)", library),
+            ("idf_component.yml", r'^version: "(.*)"', library),
+            ("library.json", r'"version": "(.*)"', library),
+            ("meson.build", r"version: '(.*?)'", library),
+            ("port/arduino/library.properties", r"^version=(.*)", library)]:
         found = re.search(pattern, files.get(name, ""), re.M)
         if not found or found.group(1) != version:
             problems.append(f"{name}: says version "
@@ -171,9 +184,13 @@ def main():
                  "--check"])
     if drawn.returncode != 0:
         problems.append(drawn.stdout)
+    code = "\n".join(text for name, text in files.items()
+                     if not name.endswith(".md"))
     for name, text in files.items():
         if name.endswith(".md"):
-            problems += check_links(name, text, files)
+            if name != "docs/CHANGELOG.md":  # it has names of before
+                problems += check_names(name, text, code)
+            problems += check_links(name, text)
             problems += check_paths(name, text)
             problems += check_symbols(name, text, files)
             if name != "docs/BENCHMARKS.md":  # a program wraps that

@@ -1,4 +1,4 @@
-// The claims of docs/PORTING.md on the RAM of a cache, with a real face.
+// The claims of docs/DRAW.md on the RAM of a cache, with a real face.
 #include <gtest/gtest.h>
 
 #include "inkcell/cache/glyph_cache.hpp"

@@ -120,8 +120,8 @@ TEST(StoredFile, ReadsALineOnceWithAsManyBlocksAsTheFormulaGives) {
   EXPECT_GT(reads_of(hanzi, fonts::hanzi::kBlockBytes, 11, far).second, 0u);
 }
 
-// The sum that PORTING gives for 32-bit machines, of this machine's pointers.
-TEST(StoredFile, TakesRamAsPortingSays) {
+// The sum of docs/BUILD.md for 32-bit machines, of this machine's pointers.
+TEST(StoredFile, TakesRamAsDocumented) {
   const size_t head = 768 + 40 * (sizeof(void*) - 4);
   EXPECT_EQ(StoredFont::ram_bytes(1024, 1), head + 1032);
   EXPECT_EQ(StoredFont::ram_bytes(1024, 24), head + 24 * 1032);

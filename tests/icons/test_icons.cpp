@@ -60,7 +60,7 @@ bool is_near(int32_t pixels, int32_t expected) {
   return pixels >= expected - 6 && pixels <= expected + 6;
 }
 
-// What docs/PORTING.md shows.
+// What docs/BUILD.md shows.
 void draw_wifi(const Font& font, const Style& style, const Sink& sink) {
   const Point pen = {};
   inkcell::Painter(sink).text(font, style, pen,

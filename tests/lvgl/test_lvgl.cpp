@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "example.h"
 #include "fonts/lv_sans.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
@@ -12,7 +13,6 @@
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 #include "lvgl.h"
-#include "porting.h"
 #include "screen.hpp"
 
 namespace {
@@ -324,9 +324,9 @@ TEST(layers_are_drawn_into) {
       0);
 }
 
-TEST(example_of_porting_draws) {
+TEST(documented_example_draws) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, 12);
   const Picture blank = screen.draw();
-  CHECK(porting_example(fonts::lv_sans, sizeof fonts::lv_sans));
+  CHECK(show_example(fonts::lv_sans, sizeof fonts::lv_sans));
   CHECK(count_other(blank, screen.draw()) > 1500);
 }

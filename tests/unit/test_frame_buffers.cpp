@@ -1,5 +1,5 @@
 // Canvases over the memory of other libraries' pictures, against plain versions
-// of how these libraries read a pixel; and the lines of docs/PORTING.md.
+// of how these libraries read a pixel; and the lines of docs/DISPLAY.md.
 #include "check.hpp"
 #include "display_page.hpp"
 #include "inkcell/painter.hpp"
@@ -147,7 +147,7 @@ TEST(u8g2_buffers_are_drawn_on) {
   }
 }
 
-// Stand-ins for the functions of those libraries that docs/PORTING.md names.
+// Stand-ins for the functions of those libraries that docs/DISPLAY.md names.
 struct GFXcanvas16 {
   static constexpr int32_t kSide = 40;
   uint16_t pixels[kSide * kSide] = {};

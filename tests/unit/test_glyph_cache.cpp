@@ -176,7 +176,7 @@ Point px(int32_t x, int32_t y) {
   return {Q26_6::from_int(x), Q26_6::from_int(y)};
 }
 
-// As docs/PORTING.md shows it.
+// As docs/DRAW.md shows it.
 Status draw_clock(const Font& font,
                   const Style& style,
                   Point origin,

@@ -111,7 +111,7 @@ TEST(glyphs_at_the_top_and_the_bottom_are_upright) {
   }
 }
 
-// The example of docs/PORTING.md.
+// The example of docs/DRAW.md.
 TEST(a_line_on_a_circle_is_one_call) {
   const Font font = sample_font();
   const Style style(16_px);

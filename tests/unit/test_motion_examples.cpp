@@ -1,5 +1,5 @@
-// The code of docs/ANIMATING.md that is a function of time. build.porting looks
-// for it here.
+// The code of docs/ANIMATING.md that is a function of time. build.docs_code
+// looks for it here.
 #include "animating_input.hpp"
 #include "inkcell/field/generate.hpp"
 #include "inkcell/motion/morph.hpp"

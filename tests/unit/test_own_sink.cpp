@@ -1,4 +1,4 @@
-// The pixel format that docs/PORTING.md adds: 8-bit colour, 3-3-2.
+// The pixel format that docs/DISPLAY.md adds: 8-bit colour, 3-3-2.
 #include "check.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"

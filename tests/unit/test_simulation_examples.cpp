@@ -1,4 +1,4 @@
-// The code of docs/ANIMATING.md that simulates. build.porting looks for it
+// The code of docs/ANIMATING.md that simulates. build.docs_code looks for it
 // here.
 #include "animating_input.hpp"
 #include "inkcell/dirty_rects.hpp"

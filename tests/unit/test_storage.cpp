@@ -1,4 +1,4 @@
-// The reads of docs/PORTING.md, over models of FatFs, littlefs and a flash
+// The reads of docs/BUILD.md, over models of FatFs, littlefs and a flash
 // chip.
 #include "check.hpp"
 #include "inkcell/stored/stored_font.hpp"

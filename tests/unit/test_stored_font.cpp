@@ -360,7 +360,7 @@ TEST(a_page_of_text_is_read_once) {
   CHECK(least <= 3 * kCharacters);
 }
 
-// docs/PORTING.md: one for each glyph and one of the index that finds it, and
+// docs/BUILD.md: one for each glyph and one of the index that finds it, and
 // the block above those.
 TEST(a_line_is_read_once_with_blocks_for_glyphs_and_index) {
   constexpr uint32_t kMostGlyphs = 9;

@@ -25,7 +25,7 @@ uint32_t without_accents(uint32_t code_point) noexcept {
   return code_point == 0xC4 ? uint32_t{'A'} : code_point;
 }
 
-// As docs/PORTING.md has it.
+// As docs/DRAW.md has it.
 TextReport show(const Font& font, const Style& style, Point pen, Text words) {
   const Sink canvas;
   TextReport report;

@@ -3,7 +3,7 @@
 // A glyph is drawn band by band. A band is some of its rows, a byte a pixel,
 // with a margin of pixels around them if a mixer asks for one. What draws the
 // font fills it; the mixer makes coverage of it, and hands that to the sink.
-// docs/PORTING.md has an example, "An effect of your own".
+// docs/DRAW.md has an example, "An effect of your own".
 #pragma once
 
 #include <stdint.h>

@@ -12,9 +12,7 @@
 //   tft.setTextColor(ink)                Rgb565Canvas canvas(strip, ink, paper)
 //   tft.setCursor(x, y); tft.print("A")  painter.text(font, style, {x, y}, "A")
 //   tft.getTextBounds("A", x, y, ...)    painter.box(font, style, {x, y}, "A")
-//   tft.fillRect(...); tft.print(value)  run_strips() over the box of the
-//   value,
-//                                        without flicker
+//   tft.fillRect(...); tft.print(value)  run_strips(loop, label.set(value, {}))
 //
 // There, after setFont(), as here y is that of the baseline. Text is UTF-8.
 #include <fonts/room.hpp>

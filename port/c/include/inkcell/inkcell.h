@@ -1,4 +1,4 @@
-// Inkcell from C99: everything. docs/PORTING.md, "From C", has an example.
+// Inkcell from C99: everything. docs/DRAW.md, "From C", has an example.
 //
 // Each header has one topic; a program may include one alone. They say what a
 // function does, its units and its errors; the C++ headers that they name say

@@ -1,7 +1,7 @@
 // Sprites of TFT_eSPI: canvases over the memory that getPointer() returns.
 //
 // setRotation() and setViewport() do not affect the memory. Sprites of 8 bits
-// hold 3-3-2 colours: docs/PORTING.md shows a sink for those.
+// hold 3-3-2 colours: docs/DISPLAY.md shows a sink for those.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
-// The code of docs/PORTING.md, "With LVGL", compiled as C.
-#include "porting.h"
+// The code of docs/DRAW.md, "With LVGL", compiled as C.
+#include "example.h"
 
 #include "inkcell/lvgl/inkcell_lvgl.h"
 
@@ -31,7 +31,7 @@ static lv_result_t clock_digits(const void* rom, size_t rom_bytes) {
   return LV_RESULT_OK;
 }
 
-bool porting_example(const void* rom, size_t rom_bytes) {
+bool show_example(const void* rom, size_t rom_bytes) {
   return label(rom, rom_bytes) == LV_RESULT_OK &&
          clock_digits(rom, rom_bytes) == LV_RESULT_OK;
 }

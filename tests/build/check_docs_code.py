@@ -1,20 +1,17 @@
-"""Checks docs/PORTING.md and others that have code: each block is code of the project,
-which its tests compile, and the paths of the first exist. CMake's lines of the others
-configure a project, and lines of inkcell-fontgen make fonts.
+"""Checks the code of documents: each block is code of the project, which its tests
+compile, or lines of CMake that configure a project. Lines of inkcell-fontgen make
+fonts.
 
-Usage: check_porting.py WORK_FOLDER FONTGEN
+Usage: check_docs_code.py WORK_FOLDER FONTGEN
 """
 
 import pathlib
 import re
 import shlex
 import shutil
-import sys
 
-from toolchains import ROOT, run
+from toolchains import FONT, FONTS, ROOT, arguments, finish, run
 
-FONTS = pathlib.Path("/usr/share/fonts")
-FONT = FONTS / "truetype/dejavu/DejaVuSans.ttf"
 # What lines of inkcell-fontgen read, wherever they are, and what is made of a
 # set of characters that would take minutes.
 INPUTS = {
@@ -27,6 +24,8 @@ INPUTS = {
 }
 FEWER = {"0x4E00-0x9FFF": "0x4E00-0x4E1F"}
 SOURCES = ["boards", "core", "port", "tests"]
+ENDINGS = (".hpp", ".cpp", ".c", ".ini", ".ino", ".py")
+BLOCK = re.compile(r"^ *```(\w+)\n(.*?)^ *```", re.M | re.S)
 
 
 def squeeze(text):
@@ -55,8 +54,7 @@ def commands(help_text):
     files = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")),
              *sorted((ROOT / "fonts_gen").rglob("*.md")),
              ROOT / "port/arduino/pack.py"]
-    texts = {path.relative_to(ROOT): path.read_text() for path in files
-             if path.name != "CHANGELOG.md"}
+    texts = {path.relative_to(ROOT): path.read_text() for path in files}
     texts["--help"] = "\n".join(help_text.splitlines()[:8])
     return {line: place for place, text in texts.items()
             for line in re.findall(r"^ {4}(?:npx )?(inkcell-fontgen --font .*)",
@@ -82,66 +80,27 @@ def run_commands(lines, work, fontgen):
 
 
 def main():
-    work, fontgen = map(pathlib.Path, sys.argv[1:])
-    text = (ROOT / "docs/PORTING.md").read_text()
+    work, fontgen = arguments()
     sources = [
         squeeze(path.read_text()) for folder in SOURCES
         for path in sorted((ROOT / folder).rglob("*"))
-        if (path.suffix in (".hpp", ".cpp", ".c", ".ini", ".ino", ".py")
-            or path.name == "CMakeLists.txt")
-    ]
-    problems = []
-
-    blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
-    lines = []
-    for name in ("LAYOUT", "STRINGS", "ANIMATING", "EDITING", "DESIGN", "SIMULATOR"):
-        more = (ROOT / f"docs/{name}.md").read_text()
-        for language, block in re.findall(r"^```(\w+)\n(.*?)^```", more,
-                                          re.M | re.S):
-            (lines if language == "cmake" else blocks).append(block)
-    problems += configure("".join(lines), work, fontgen)
+        if path.suffix in ENDINGS or path.name == "CMakeLists.txt"]
+    # build.readme_subdirectory builds the README's.
+    blocks = [found for path in sorted((ROOT / "docs").glob("*.md"))
+              for found in BLOCK.findall(path.read_text())]
+    strange = [(language, block) for language, block in blocks
+               if not any(squeeze(block) in source for source in sources)]
+    problems = [f"no source contains this block:\n{block}"
+                for language, block in strange if language != "cmake"]
+    problems += configure("".join(block for language, block in strange
+                                  if language == "cmake"), work, fontgen)
     calls = commands(run([fontgen, "--help"]).stdout)
     problems += run_commands(calls, work / "fonts", fontgen)
     if "--help" not in calls.values():
         problems.append("inkcell-fontgen --help does not begin with a line to type")
-    if len(calls) < 8:
-        problems.append("the lines of inkcell-fontgen were not found")
-    if len(blocks) < 8:
-        problems.append("the code blocks were not found")
-    for block in blocks:
-        if not any(squeeze(block) in source for source in sources):
-            problems.append(f"no source contains this block:\n{block}")
-
-    prose = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
-    paths = re.findall(r"`([\w.]+/[\w./]+)`", prose)
-    paths += [word for line in re.findall(r"^    (\S.*)", prose, re.M)
-              for word in line.split()
-              if "/" in word and "$" not in word and not word.startswith("build/")]
-    if len(paths) < 10:
-        problems.append("the paths were not found")
-    for path in paths:
-        places = [ROOT, *ROOT.glob("core/**/include"),
-                  *ROOT.glob("port/*/include")]
-        if not any((place / path).exists() for place in places):
-            problems.append(f"there is no {path}")
-
-    names = {path.parent.name for path in ROOT.glob("boards/*/board.cmake")}
-    variables = set()
-    for name in names:
-        variables |= set(re.findall(
-            r"set\((INKCELL_(?:DISPLAY|DEMO)_[A-Z_]+[A-Z])",
-            (ROOT / "boards" / name / "board.cmake").read_text()))
-    for variable in sorted(variables):
-        if variable not in text:
-            problems.append(f"{variable} of a board.cmake is not explained")
-
-    for problem in problems:
-        print(problem)
-    print(f"{len(blocks)} code blocks, {len(calls)} lines of inkcell-fontgen, "
-          f"{len(paths)} paths, {len(variables)} variables, "
-          f"{len(problems)} problems")
-    return 1 if problems else 0
+    if len(blocks) < 8 or len(calls) < 8:
+        problems.append("the code was not found")
+    finish(len(blocks) + len(calls) - len(problems), problems)
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+main()
