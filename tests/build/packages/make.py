@@ -47,7 +47,8 @@ def build(work, _, fontgen):
     size = size_of(folder / "app.elf")
 
     (folder / "of_c.mk").write_text(OF_C)
-    listed = call(*make, "-f", "of_c.mk", "INKCELL_LIBRARIES=c stored").split()
+    listed = call(*make, "-f", "of_c.mk",
+                  "INKCELL_LIBRARIES=c simulation stored").split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
     if "U+B0,U+B1 --quiet" not in (fonts / "in_c.options").read_text():
