@@ -5,6 +5,7 @@ import {$} from './dom.mjs';
 export const isIcon = (name) => /\.svg$/i.test(name);
 /** @param {string} name */
 export const isFont = (name) => /\.(ttf|otf|ttc|otc|woff2?)$/i.test(name);
+// Of xml, arb and ts of Qt the generator says what to do.
 /** @param {string} name */
 const isSource = (name) =>
   /\.([ch]|cc|cpp|cxx|hh|hpp|hxx|ino|po|pot|ts|xml|arb|json|csv)$/i.test(name);

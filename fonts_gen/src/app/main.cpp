@@ -93,9 +93,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option(
          "--strings-from", request.strings_from,
-         "Take the characters of translations (.po, Qt's .ts, Android's .xml, "
-         ".arb, .json, .csv) and of string literals in C and C++ sources: "
-         "files or patterns such as 'src/**/*.c', in quotes; repeatable")
+         "Take the characters of translations (.po, .json, .csv) and of "
+         "string literals in C and C++ sources: files or patterns such as "
+         "'src/**/*.c', in quotes; repeatable")
       ->type_name("PATTERN");
   app.add_option(
          "--strings", request.string_files,

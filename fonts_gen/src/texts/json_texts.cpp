@@ -4,8 +4,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "texts/language_name.hpp"
-
 namespace inkcell::gen {
 namespace {
 
@@ -42,13 +40,8 @@ class CountingIterator {
 // Takes the strings while the file is read.
 class StringTaker : public nlohmann::json_sax<Json> {
  public:
-  StringTaker(const std::string& file,
-              bool is_arb,
-              const int& line,
-              LocatedText& out)
-      : file_(file), is_arb_(is_arb), line_(line), out_(out) {}
-
-  const std::string& language() const { return language_; }
+  StringTaker(const std::string& file, const int& line, LocatedText& out)
+      : file_(file), line_(line), out_(out) {}
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -57,25 +50,14 @@ class StringTaker : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
   bool string(string_t& text) override {
-    if (is_locale_) {
-      language_ = language_tag(text);
-    }
-    if (!is_hidden_) {
-      add_shown(text, line_, file_, out_);
-    }
+    add_shown(text, line_, file_, out_);
     return true;
   }
-  bool key(string_t& name) override {
-    if (depth_ == 1) {
-      is_hidden_ = is_arb_ && name.rfind('@', 0) == 0;
-      is_locale_ = is_arb_ && name == "@@locale";
-    }
-    return true;
-  }
-  bool start_object(std::size_t) override { return enter(); }
-  bool end_object() override { return leave(); }
-  bool start_array(std::size_t) override { return enter(); }
-  bool end_array() override { return leave(); }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
   bool parse_error(std::size_t,
                    const std::string&,
                    const nlohmann::detail::exception& error) override {
@@ -90,36 +72,21 @@ class StringTaker : public nlohmann::json_sax<Json> {
   }
 
  private:
-  bool enter() {
-    ++depth_;
-    return true;
-  }
-  bool leave() {
-    --depth_;
-    return true;
-  }
   const std::string& file_;
-  bool is_arb_;
   const int& line_;
   LocatedText& out_;
-  std::string language_;
-  int depth_ = 0;
-  bool is_hidden_ = false;  // the member of the outermost object
-  bool is_locale_ = false;
 };
 
 }  // namespace
 
-std::string read_json_file(std::string_view content,
-                           const std::string& file,
-                           bool is_arb,
-                           LocatedText& out) {
+void read_json_file(std::string_view content,
+                    const std::string& file,
+                    LocatedText& out) {
   int line = 1;
-  StringTaker taker(file, is_arb, line, out);
+  StringTaker taker(file, line, out);
   Json::sax_parse(CountingIterator(content.data(), line),
                   CountingIterator(content.data() + content.size(), line),
                   &taker);
-  return taker.language();
 }
 
 }  // namespace inkcell::gen

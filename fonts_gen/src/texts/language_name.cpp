@@ -30,7 +30,7 @@ bool is_region(std::string_view part) {
 
 // Takes a part up to a separator off the front.
 std::string_view take_part(std::string_view& name) {
-  const size_t end = std::min(name.find_first_of("-_+"), name.size());
+  const size_t end = std::min(name.find_first_of("-_"), name.size());
   const std::string_view part = name.substr(0, end);
   name.remove_prefix(std::min(end + 1, name.size()));
   return part;
@@ -52,9 +52,6 @@ std::string language_at_end(std::string_view name) {
 }  // namespace
 
 std::string language_tag(std::string_view name) {
-  if (name.substr(0, 2) == "b+") {
-    name.remove_prefix(2);
-  }
   const std::string_view language = take_part(name);
   if (language.size() < 2 || language.size() > 3 || !all(language, is_lower)) {
     return "";
@@ -64,9 +61,6 @@ std::string language_tag(std::string_view name) {
   if (is_script(part)) {
     tag += "-" + std::string(part);
     part = take_part(name);
-  }
-  if (part.size() == 3 && part[0] == 'r') {
-    part.remove_prefix(1);  // Android
   }
   if (is_region(part)) {
     tag += "-" + std::string(part);
@@ -80,9 +74,7 @@ std::string language_of_path(const std::filesystem::path& file) {
   for (std::filesystem::path folder = file.parent_path();
        tag.empty() && folder.has_filename(); folder = folder.parent_path()) {
     const std::string name = folder.filename().string();
-    constexpr std::string_view kAndroid = "values-";
-    const bool is_android = name.rfind(kAndroid, 0) == 0;
-    tag = language_tag(is_android ? name.substr(kAndroid.size()) : name);
+    tag = language_tag(name);
     if (name != "LC_MESSAGES") {
       break;  // folders above are not of translations
     }

@@ -1,21 +1,25 @@
 #include "texts/shown_texts.hpp"
 
+#include <algorithm>
 #include <string_view>
 
+#include "base/error.hpp"
 #include "source/char_set.hpp"
 #include "texts/c_literals.hpp"
 #include "texts/csv_file.hpp"
 #include "texts/json_texts.hpp"
 #include "texts/language_name.hpp"
 #include "texts/po_file.hpp"
-#include "texts/xml_texts.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-bool begins_with_tag(std::string_view content) {
-  const size_t at = content.find_first_not_of(" \t\r\n");
-  return at != std::string_view::npos && content[at] == '<';
+// A file of Qt Linguist, Android or Flutter; a .ts may be a source, too.
+bool is_unread_kind(std::string_view ending, std::string_view content) {
+  const size_t at =
+      std::min(content.find_first_not_of(" \t\r\n"), content.size());
+  return ending == ".xml" || ending == ".arb" ||
+         (ending == ".ts" && content.substr(at, 1) == "<");
 }
 
 }  // namespace
@@ -29,16 +33,15 @@ std::vector<LanguageText> shown_texts(const std::filesystem::path& file,
   if (ending == ".csv") {
     return read_csv_file(content, name);
   }
+  if (is_unread_kind(ending, content)) {
+    throw Error(name + ": translations in " + ending +
+                " are not read; convert the file to .po or .csv");
+  }
   LanguageText shown;
   if (ending == ".po" || ending == ".pot") {
     shown.language = read_po_file(content, name, shown.text);
-  } else if (ending == ".ts" && begins_with_tag(content)) {
-    shown.language = read_qt_file(content, name, shown.text);
-  } else if (ending == ".xml") {
-    read_android_file(content, name, shown.text);
-  } else if (ending == ".arb" || ending == ".json") {
-    shown.language =
-        read_json_file(content, name, ending == ".arb", shown.text);
+  } else if (ending == ".json") {
+    read_json_file(content, name, shown.text);
   } else {
     shown.text = literal_characters(content, name);
     return {shown};

@@ -13,14 +13,13 @@ namespace inkcell::gen {
 /// What a file shows, language by language. Its ending says what it is:
 ///
 ///   .po .pot      gettext
-///   .ts           Qt Linguist, if it begins with <; else a source
-///   .xml          strings of Android
-///   .arb .json    Flutter, and JSON whose strings are shown
+///   .json         JSON whose strings are shown
 ///   .csv          a column a language
 ///   others        C and C++ sources, of no language
 ///
 /// A language is what the file says, or else its name and folders; or else the
-/// name itself. Throws Error, which names `option` if the file cannot be read.
+/// name itself. Throws Error, which names `option` if the file cannot be read;
+/// also for Qt's .ts, Android's .xml and .arb.
 std::vector<LanguageText> shown_texts(const std::filesystem::path& file,
                                       const std::string& option);
 
