@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 constexpr size_t kSide = Lattice::kSteps + 1;
@@ -170,5 +169,4 @@ bool fit_cell(const Metric& metric,
   return best <= metric.limit();
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

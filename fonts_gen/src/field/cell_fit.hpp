@@ -7,8 +7,7 @@
 #include "shape/shape.hpp"
 #include "target/metric.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Changes the nine distances of a cell so that the largest error over it is
 /// about as small as it can be: least squares, weighted by what an error costs
@@ -24,5 +23,4 @@ bool fit_cell(const Metric& metric,
               int rounds,
               std::array<double, 9>& nine);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 constexpr int kPointsAcross = Lattice::kSteps + 1;
@@ -330,5 +329,4 @@ bool CellTest::test_patch(Job& job, const Patch& patch) const {
   return true;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -11,8 +11,7 @@
 #include "target/grid.hpp"
 #include "target/metric.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Nine distances, row by row from below, as bytes in ROM: the centre rounded
 /// to 1/64 u, the others to 1/128 of the cell from it.
@@ -104,5 +103,4 @@ class CellTest {
   bool refine_;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

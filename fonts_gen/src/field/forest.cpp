@@ -7,8 +7,7 @@
 #include "field/cell_fit.hpp"
 #include "inkcell/field/glyph_field.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Nine samples that miss the limit by more than this cannot be mended by a fit:
@@ -279,5 +278,4 @@ SampleTree Forest::glyph() const {
   return glyph;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -10,8 +10,7 @@
 #include "target/grid.hpp"
 #include "target/metric.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 class Forest {
  public:
@@ -60,5 +59,4 @@ class Forest {
   uint32_t cell_count_ = 0;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

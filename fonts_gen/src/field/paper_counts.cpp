@@ -6,8 +6,7 @@
 #include "field/forest.hpp"
 #include "target/metric.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Lagrange weights of the points 0 and 1, or 0, 1/2 and 1.
@@ -157,5 +156,4 @@ LeafCounts count_cells_three_colour(const Shape& shape, int resolution) {
   return counts;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

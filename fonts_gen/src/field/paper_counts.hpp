@@ -6,8 +6,7 @@
 #include "field/sample_tree.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Leaves of a quadtree.
 struct LeafCounts {
@@ -40,5 +39,4 @@ LeafCounts count_cells_biquadratic(const Shape& shape,
 /// power of two. varying counts the edge cells.
 LeafCounts count_cells_three_colour(const Shape& shape, int resolution = 512);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

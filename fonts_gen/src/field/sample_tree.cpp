@@ -2,8 +2,7 @@
 
 #include "field/forest.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 SampleTree build_sample_tree(const Shape& shape, const Target& options) {
   if (shape.empty()) {
@@ -15,5 +14,4 @@ SampleTree build_sample_tree(const Shape& shape, const Target& options) {
   return forest.glyph();
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -10,8 +10,7 @@
 #include "shape/shape.hpp"
 #include "target/target.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// A cell as it lies in ROM: format::samples.
 using SampleCell = std::array<uint8_t, format::samples::kBytes>;
@@ -50,5 +49,4 @@ struct SampleTree {
 /// Throws GeometryError too_complex or too_large if it does not fit the format.
 SampleTree build_sample_tree(const Shape& shape, const Target& options);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 namespace refs = format::glyph;
@@ -124,5 +123,4 @@ SampleTree permuted(const SampleTree& tree,
   return result;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -3,8 +3,7 @@
 
 #include "field/sample_tree.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// One of the eight maps of a square onto itself: x' = xx x + xy y,
 /// y' = yx x + yy y, with one entry of each row and column +-1, the other 0.
@@ -26,5 +25,4 @@ SampleTree permuted(const SampleTree& tree,
                     int dx_u,
                     int dy_u);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

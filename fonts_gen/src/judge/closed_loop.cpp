@@ -11,8 +11,7 @@
 #include "inkcell/style.hpp"
 #include "judge/canvas.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // How far around the ink box the mean is taken. [px]
@@ -460,5 +459,4 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
   return gathering.finish();
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

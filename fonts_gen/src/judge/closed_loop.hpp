@@ -14,8 +14,7 @@
 #include "shape/distance_map.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Sub-pixel positions that the loop knows.
 inline constexpr int kLoopPhases = 8;
@@ -126,5 +125,4 @@ class ClosedLoop {
   std::optional<LoopTruth> truth_;  // none if the shape is empty
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

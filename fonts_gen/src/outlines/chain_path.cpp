@@ -6,8 +6,7 @@
 #include "outlines/point_bits.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 constexpr size_t kMostControls = 4;
@@ -205,5 +204,4 @@ void drop_joints(const ChainSearch& search, std::vector<PathStep>& path) {
   }
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

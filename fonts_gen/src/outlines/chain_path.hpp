@@ -6,8 +6,7 @@
 
 #include "outlines/chain_search.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// A chain and the nodes at its ends.
 struct PathStep {
@@ -25,5 +24,4 @@ std::vector<PathStep> cheapest_path(const Trace& trace,
 /// moves points slightly where that takes fewer bits.
 void drop_joints(const ChainSearch& search, std::vector<PathStep>& path);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -6,8 +6,7 @@
 
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // A tangent within 0.6 degrees of an axis is parallel to it.
@@ -314,5 +313,4 @@ Chain ChainSearch::nearest(size_t stretch) const {
   return deviation(curve) < deviation(line) ? curve : line;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

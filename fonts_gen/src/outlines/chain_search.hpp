@@ -8,8 +8,7 @@
 #include "outlines/refit_memo.hpp"
 #include "outlines/trace.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Searches for chains between the nodes `first` < `last` of a trace; node
 /// nodes.size() is the first one again.
@@ -55,5 +54,4 @@ class ChainSearch {
   std::vector<Fingerprint> stretches_;  // each with the node where it begins
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -5,8 +5,7 @@
 
 #include "outlines/point_bits.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 struct Pen {
@@ -72,5 +71,4 @@ void order_contours(int x, int y, MinimalOutline& outline) {
   }
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -3,8 +3,7 @@
 
 #include "outlines/minimal_outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Rotates and reorders contours so that steps from one to the next are short
 /// and closing edges, which are not stored, are long. On entry and on return
@@ -12,5 +11,4 @@ namespace gen {
 /// y) is the start of the pen. [grid units]
 void order_contours(int x, int y, MinimalOutline& outline);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

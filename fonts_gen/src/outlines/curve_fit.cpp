@@ -7,8 +7,7 @@
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 constexpr int kMostChords = 64;
@@ -398,5 +397,4 @@ bool fit_controls(const SampleSpan& source,
   }
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

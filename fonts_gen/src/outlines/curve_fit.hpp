@@ -8,8 +8,7 @@
 #include "shape/outline.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// A line from `from` to `to`, or one quadratic for each control point, with
 /// implied points between them.
@@ -96,5 +95,4 @@ bool fit_controls(const SampleSpan& source,
                   double limit,
                   Chain& chain);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -5,8 +5,7 @@
 
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Parameters closer to an end than this count as the end.
@@ -158,5 +157,4 @@ double twice_area(const Segment& segment) {
   return cross(p[0], p[1]);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -5,8 +5,7 @@
 
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// 1, 2 or 3.
 int degree_of(const Segment& segment);
@@ -30,5 +29,4 @@ Point direction_at_end(const Segment& segment);
 /// Twice the area between the segment and the origin, counter-clockwise.
 double twice_area(const Segment& segment);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

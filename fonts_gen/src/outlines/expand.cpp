@@ -5,8 +5,7 @@
 #include "outlines/curves.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 Contour expand(const MinimalContour& minimal, double u_per_grid) {
@@ -51,5 +50,4 @@ Outline expand(const MinimalOutline& outline,
   return result;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -4,11 +4,9 @@
 #include "outlines/minimal_outline.hpp"
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The segments of `outline`, in u.
 Outline expand(const MinimalOutline& outline, int units_per_em, int grid_shift);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The values are those of the code table.
 enum class PointKind : uint8_t {
@@ -36,5 +35,4 @@ struct MinimalOutline {
   std::vector<MinimalContour> contours;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

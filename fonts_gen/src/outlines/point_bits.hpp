@@ -3,8 +3,7 @@
 
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Mean length of a code word, before the code is known. [bits]
 inline constexpr double kCodeWord_bits = 4.5;
@@ -27,5 +26,4 @@ inline double point_bits(const Point& from, const Point& to) {
          width_of(static_cast<int>(d.y));
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -13,8 +13,7 @@
 #include "shape/points.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Chains are only compared with their own part of the source, so contours may
@@ -298,5 +297,4 @@ MinimalOutline minimal_outline(const Outline& united,
   return best;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

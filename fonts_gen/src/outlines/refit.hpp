@@ -7,8 +7,7 @@
 #include "shape/outline.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Options of minimal_outline().
 struct RefitOptions {
@@ -46,5 +45,4 @@ MinimalOutline minimal_outline(const Outline& united,
                                const RefitOptions& options,
                                RefitMemo& memo);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -2,8 +2,7 @@
 
 #include <cstring>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // The finalizer of SplitMix64 (Steele, Lea and Flood 2014): each bit of the
@@ -38,5 +37,4 @@ void Fingerprint::add(const Fingerprint& other) {
   add(other.b_);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -10,8 +10,7 @@
 #include "outlines/curve_fit.hpp"
 #include "outlines/minimal_outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// A hash of 128 bits of a sequence of words and numbers. Collisions are less
 /// likely than an error of the machine.
@@ -59,5 +58,4 @@ struct RefitMemo {
   Memo<MinimalContour> contours;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

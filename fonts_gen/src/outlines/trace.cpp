@@ -8,8 +8,7 @@
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // A joint that turns by less than 20 degrees is part of a curve.
@@ -320,5 +319,4 @@ Trace trace(const Contour& contour,
   return Tracer(options, scale).run(contour);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

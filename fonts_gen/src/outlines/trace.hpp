@@ -7,8 +7,7 @@
 #include "outlines/refit.hpp"
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The care that RefitOptions asks for at a place.
 enum class Care : uint8_t { none, careful, exact };
@@ -65,5 +64,4 @@ Trace trace(const Contour& contour,
             const RefitOptions& options,
             const RefitScale& scale);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -10,8 +10,7 @@
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // The border is a polygon: chords of the source and, at crossings, parts of
@@ -286,5 +285,4 @@ Outline unite(const Outline& outline, const Shape& shape) {
   return result;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -4,8 +4,7 @@
 #include "shape/outline.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The border of the area that `outline` fills under the non-zero rule: closed
 /// contours, filled on the left, that neither cross nor overlap; they may touch
@@ -21,5 +20,4 @@ Outline unite(const Outline& outline);
 /// The same, for callers that have the Shape of `outline`.
 Outline unite(const Outline& outline, const Shape& shape);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

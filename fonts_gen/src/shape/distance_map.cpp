@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 DistanceMap::DistanceMap(const Shape& shape, double margin_u) {
   constexpr double kBlock_u = kTile_u * kBlockTiles;
@@ -59,5 +58,4 @@ Square DistanceMap::square_at(size_t column, size_t row, double size_u) const {
           y0_u_ + static_cast<double>(row) * size_u, size_u};
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

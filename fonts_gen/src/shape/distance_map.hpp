@@ -8,8 +8,7 @@
 #include "shape/neighbourhood.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Square tiles around a shape. A tile holds the list of edges that matter in
 /// it, made at the first query.
@@ -53,5 +52,4 @@ class DistanceMap {
   std::vector<uint32_t> tiles_;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Length of a - 2 b + c.
@@ -101,5 +100,4 @@ std::vector<Point> flatten(const Contour& contour, double bound) {
   return polygon;
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -5,8 +5,7 @@
 
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The largest distance between a curve and its chords, in both directions. [u]
 /// 1/4096 px at 64 px/em.
@@ -31,5 +30,4 @@ Point point_on(const Segment& segment, double t);
 std::vector<Point> flatten(const Contour& contour,
                            double bound = kFlatteningBound);
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

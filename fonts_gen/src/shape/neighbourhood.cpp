@@ -5,8 +5,7 @@
 
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 // Points of a row that are processed together.
@@ -155,5 +154,4 @@ double Neighbourhood::clearance() const {
   return std::sqrt(best);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

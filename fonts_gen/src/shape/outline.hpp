@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// u per em, the unit of all outlines.
 inline constexpr double kUPerEm = 1024;
@@ -63,5 +62,4 @@ class GeometryError : public std::runtime_error {
 /// an outline within this limit may yet be refused as too_large.
 inline constexpr double kCoordinateLimit = 15360 - 192 - 256;
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

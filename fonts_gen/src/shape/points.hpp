@@ -6,8 +6,7 @@
 
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegree = kPi / 180;  // [radians]
@@ -75,5 +74,4 @@ inline double squared_distance_to_segment(const Point& p,
   return Chord{a, d, dot(d, d)}.squared_distance(p);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

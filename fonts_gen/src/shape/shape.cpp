@@ -8,8 +8,7 @@
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace {
 
 constexpr uint32_t kEdgesPerLeaf = 6;
@@ -229,5 +228,4 @@ void Shape::crossings(double y, std::vector<double>& out) const {
   std::sort(out.begin(), out.end());
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

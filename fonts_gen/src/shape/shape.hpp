@@ -7,8 +7,7 @@
 
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// A rectangle. [u]
 struct Box {
@@ -80,5 +79,4 @@ class Shape {
   Box box_;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

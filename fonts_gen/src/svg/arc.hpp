@@ -6,8 +6,7 @@
 
 #include "shape/points.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// The number of cubics for an arc of `angle` [radians, either sign]: each an
 /// eighth of a turn or less.
@@ -21,5 +20,4 @@ inline double arc_handle(double angle) {
   return 4.0 / 3 * std::tan(angle / 4);
 }
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

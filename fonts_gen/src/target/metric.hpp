@@ -6,8 +6,7 @@
 
 #include "target/target.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 
 /// Distance beyond which a distance only has to stay saturated, and to which
 /// the paper's root cell extends. [u] 0.75 px at 8 px/em.
@@ -107,5 +106,4 @@ class Metric {
   double sharpest_u_;
 };
 
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen
