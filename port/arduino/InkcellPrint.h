@@ -23,8 +23,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/port/gfx_canvas.hpp"
 
-namespace inkcell {
-namespace arduino {
+namespace inkcell::arduino {
 
 // What a tile is sent with.
 struct Colours {
@@ -141,8 +140,7 @@ const DisplayKind& kind_of() {
   return kKind;
 }
 
-}  // namespace arduino
-}  // namespace inkcell
+}  // namespace inkcell::arduino
 
 /// Prints on a display, which must outlive it. print(), println() and printf()
 /// are those of Arduino's Print.

@@ -7,8 +7,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// check_strip(); and bad_argument if `strip` is empty, not within a screen of
 /// `width` x `height` px, or has edges inside a byte of `format`.
@@ -29,5 +28,4 @@ inline Status check_on_screen(const Strip& strip,
   return (cut & 7) != 0 ? Status::bad_argument : Status::ok;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -4,8 +4,7 @@
 #include "send_command.hpp"
 #include "send_pixels.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 namespace {
 
@@ -177,5 +176,4 @@ void set_brightness(const DcsPanel& panel, uint8_t brightness) noexcept {
   send_command(panel.bus, detail::kSetBacklight, control);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

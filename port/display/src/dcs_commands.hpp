@@ -7,9 +7,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// The differences between controllers.
 struct DcsController {
@@ -24,6 +22,4 @@ Status write(const DcsPanel& panel,
              const DcsController& controller,
              const Strip& strip) noexcept;
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

@@ -3,8 +3,7 @@
 
 #include "bounds.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 Status write(const Framebuffer& display, const Strip& strip) noexcept {
   INKCELL_TRY(
@@ -31,5 +30,4 @@ Status write(const Framebuffer& display, const Strip& strip) noexcept {
   return Status::ok;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,8 +3,7 @@
 
 #include "dcs_commands.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 constexpr detail::DcsController kController = {240, 240, 0x55};
@@ -19,5 +18,4 @@ Status write(const Gc9a01& display, const Strip& strip) noexcept {
   return detail::write(display, kController, strip);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -1,8 +1,7 @@
 // Transfers: a control byte and its data.
 #include "inkcell/port/i2c_display.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 // Co = 0: all bytes up to the stop condition are of one kind.
@@ -41,5 +40,4 @@ DisplayBus make_bus(I2cDisplay& display) noexcept {
   return bus;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

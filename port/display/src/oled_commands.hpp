@@ -5,8 +5,7 @@
 
 #include "inkcell/port/display_bus.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 enum OledCommand : uint8_t {
   kSetContrast = 0x81,
@@ -24,5 +23,4 @@ inline void send_contrast(const DisplayBus& bus, uint8_t contrast) noexcept {
   bus.command(bus.context, command, sizeof command);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -1,8 +1,7 @@
 // The chord of a circle over some rows.
 #include "inkcell/port/round_strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 // The distance of the circle's centre (at diameter / 2) from the nearest edge
@@ -55,5 +54,4 @@ Strip round_strip(const Strip& strip,
   return part;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

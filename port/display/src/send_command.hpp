@@ -6,8 +6,7 @@
 #include "inkcell/port/display_bus.hpp"
 #include "inkcell/span.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// Sends a command byte, then its parameters, if any, as data.
 inline void send_command(const DisplayBus& bus,
@@ -19,5 +18,4 @@ inline void send_command(const DisplayBus& bus,
   }
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,8 +3,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "send_pixels.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -33,5 +32,4 @@ void send_pages(const DisplayBus& bus,
   }
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

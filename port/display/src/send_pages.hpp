@@ -6,8 +6,7 @@
 #include "inkcell/port/display_bus.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// Sends a strip of PixelFormat::mono_pages page by page. Column 0 of the strip
 /// is `first_column` of the controller's memory; the last column is at most
@@ -16,5 +15,4 @@ void send_pages(const DisplayBus& bus,
                 int32_t first_column,
                 const Strip& strip) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -8,8 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// Sends all rows, or pages, of a strip that check_on_screen() accepts: in one
 /// transfer if there are no gaps between them.
@@ -29,5 +28,4 @@ inline void send_pixels(const DisplayBus& bus,
   }
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -5,8 +5,7 @@
 #include "oled_commands.hpp"
 #include "send_pages.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -87,5 +86,4 @@ void set_contrast(const Sh1106& display, uint8_t contrast) noexcept {
   send_contrast(display.bus, contrast);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -5,8 +5,7 @@
 #include "oled_commands.hpp"
 #include "send_pages.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -53,5 +52,4 @@ void set_contrast(const Ssd0303& display, uint8_t contrast) noexcept {
   send_contrast(display.bus, contrast);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

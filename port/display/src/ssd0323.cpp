@@ -5,8 +5,7 @@
 #include "oled_commands.hpp"
 #include "send_pixels.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -72,5 +71,4 @@ void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept {
   send_contrast(display.bus, static_cast<uint8_t>(contrast / 2));
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -6,8 +6,7 @@
 #include "oled_commands.hpp"
 #include "send_pixels.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -109,5 +108,4 @@ void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept {
   send_contrast(display.bus, contrast);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -5,8 +5,7 @@
 #include "send_command.hpp"
 #include "send_pixels.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 enum Command : uint8_t {
@@ -122,5 +121,4 @@ Status sleep(const Ssd1680& display) noexcept {
   return Status::ok;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

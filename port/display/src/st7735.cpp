@@ -3,8 +3,7 @@
 
 #include "dcs_commands.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 detail::DcsController controller_of(const St7735& display) noexcept {
@@ -23,5 +22,4 @@ Status write(const St7735& display, const Strip& strip) noexcept {
   return detail::write(display, controller_of(display), strip);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

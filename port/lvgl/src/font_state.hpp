@@ -14,8 +14,7 @@
 #include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// Memory for one canvas.
 union LcdCanvas {
@@ -55,5 +54,4 @@ inline FontState& state_of(inkcell_lv_font_t& font) noexcept {
 /// The state of one of our fonts; null for other fonts.
 const FontState* state_of(const lv_font_t* font) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -9,8 +9,7 @@
 
 #include "font_state.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 // LVGL's own units have numbers below 20.
@@ -252,8 +251,7 @@ bool is_registered() noexcept {
 }
 
 }  // namespace
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port
 
 void inkcell_lv_font_set_direct(inkcell_lv_font_t* font) {
   using namespace inkcell::port;

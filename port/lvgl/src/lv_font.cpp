@@ -7,8 +7,7 @@
 
 #include "font_state.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 // What text shows where the font lacks a character that needs no glyph: a space
@@ -147,8 +146,7 @@ const FontState* state_of(const lv_font_t* font) noexcept {
              : nullptr;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port
 
 lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
                                  const void* rom,

@@ -10,8 +10,7 @@
 
 #include "font_state.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 static_assert(sizeof(Fit) <= sizeof(inkcell_lv_fit_t), "enlarge it");
@@ -69,8 +68,7 @@ const Sink* open_lcd(const lv_layer_t& layer,
 }
 
 }  // namespace
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port
 
 using namespace inkcell;
 

@@ -5,8 +5,7 @@
 #include "run.hpp"
 #include "word.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 namespace {
 
@@ -268,5 +267,4 @@ const detail::SinkKind detail::A8Pixels::kKind = {coverage, solid, block,
                                                   kHasRamp ? ramp : nullptr,
                                                   layout_of(PixelFormat::a8)};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

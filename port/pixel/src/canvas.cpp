@@ -1,8 +1,7 @@
 // Checking a strip, and clipping a run to it.
 #include "run.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 // 65535 rows of this stride still fit 32 bits.
@@ -87,5 +86,4 @@ Status check_strip(const Strip& strip, PixelFormat format) noexcept {
   return detail::check_layout(strip, detail::layout_of(format));
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,8 +3,7 @@
 
 #include "packed.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 using detail::Run;
@@ -118,5 +117,4 @@ void set_dither(const Grey4Pixels&, Sink& sink) noexcept {
 }
 
 }  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,15 +3,12 @@
 
 #include "packed_grey.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 // Null in a program that draws no glyphs: few_levels.hpp.
 extern __attribute__((weak)) const LevelRule kFourLevelRule;
-}  // namespace detail
+}  // namespace inkcell::detail
 
-namespace port {
-namespace detail {
-
+namespace inkcell::port::detail {
 namespace {
 
 constexpr SinkKind kind_of_grey2() noexcept {
@@ -24,6 +21,4 @@ constexpr SinkKind kind_of_grey2() noexcept {
 
 const SinkKind Grey2Pixels::kKind = kind_of_grey2();
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

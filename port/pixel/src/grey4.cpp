@@ -3,13 +3,9 @@
 
 #include "packed_grey.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 const SinkKind Grey4Pixels::kKind =
     kPackedGrey<Grey4Pixels, PixelFormat::grey4, 2>;
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

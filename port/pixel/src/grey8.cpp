@@ -3,8 +3,7 @@
 
 #include "run.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 namespace {
 
@@ -41,5 +40,4 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 const detail::SinkKind detail::Grey8Pixels::kKind = {
     coverage, solid, nullptr, nullptr, layout_of(PixelFormat::grey8)};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

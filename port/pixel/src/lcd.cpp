@@ -3,8 +3,7 @@
 
 #include "run.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 using detail::Run;
@@ -105,5 +104,4 @@ void set_sub_pixels(const Xrgb8888Pixels&, Sink& sink) noexcept {
 }
 
 }  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

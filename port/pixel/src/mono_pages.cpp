@@ -4,14 +4,12 @@
 #include "run.hpp"
 #include "word.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 // Null in a program that draws no glyphs: few_levels.hpp.
 extern __attribute__((weak)) const LevelRule kTwoLevelRule;
-}  // namespace detail
+}  // namespace inkcell::detail
 
-namespace port {
-
+namespace inkcell::port {
 namespace {
 
 using detail::Run;
@@ -89,5 +87,4 @@ const detail::SinkKind detail::MonoPagesPixels::kKind = {
     layout_of(PixelFormat::mono_pages),
     &inkcell::detail::kTwoLevelRule};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,14 +3,12 @@
 
 #include "packed.hpp"
 
-namespace inkcell {
-namespace detail {
+namespace inkcell::detail {
 // Null in a program that draws no glyphs: few_levels.hpp.
 extern __attribute__((weak)) const LevelRule kTwoLevelRule;
-}  // namespace detail
+}  // namespace inkcell::detail
 
-namespace port {
-
+namespace inkcell::port {
 namespace {
 
 using detail::Run;
@@ -104,5 +102,4 @@ const detail::SinkKind detail::MonoRowsPixels::kKind = {
     layout_of(PixelFormat::mono_rows),
     &inkcell::detail::kTwoLevelRule};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -1,9 +1,7 @@
 // Solid runs in formats of several pixels a byte.
 #include "packed.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 namespace {
 
@@ -41,6 +39,4 @@ void fill_packed(uint8_t* row,
   }
 }
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

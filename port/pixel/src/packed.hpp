@@ -7,9 +7,7 @@
 #include "inkcell/strip.hpp"
 #include "run.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// The shift of the lowest bit of pixel `x` in its byte.
 inline uint32_t packed_shift(uint32_t x,
@@ -66,6 +64,4 @@ inline void blend_packed(uint8_t* row,
   *at = static_cast<uint8_t>(byte);
 }
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

@@ -6,9 +6,7 @@
 
 #include "packed.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// `Pixels` has a strip, a level and a bit order; a pixel has 1 << kBitsLog2
 /// bits.
@@ -51,6 +49,4 @@ inline constexpr SinkKind kPackedGrey = {
     PackedGrey<Pixels, kBitsLog2>::coverage,
     PackedGrey<Pixels, kBitsLog2>::solid, nullptr, nullptr, layout_of(kFormat)};
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

@@ -4,8 +4,7 @@
 #include "run.hpp"
 #include "word.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 namespace {
 
@@ -219,5 +218,4 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 const detail::SinkKind detail::Rgb565Pixels::kKind = {
     coverage, solid, block, nullptr, layout_of(PixelFormat::rgb565)};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

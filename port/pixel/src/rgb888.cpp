@@ -3,8 +3,7 @@
 
 #include "run.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 namespace {
 
@@ -68,5 +67,4 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 const detail::SinkKind detail::Rgb888Pixels::kKind = {
     coverage, solid, nullptr, nullptr, layout_of(PixelFormat::rgb888)};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

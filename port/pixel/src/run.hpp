@@ -8,9 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// Pixels of one row, from (x, y) to the right.
 struct Run {
@@ -70,6 +68,4 @@ inline uint8_t* row_at(const Strip& strip, int32_t y) noexcept {
          static_cast<size_t>(y) * static_cast<size_t>(strip.stride);
 }
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

@@ -1,8 +1,7 @@
 // Strips of one window, in one buffer or in two by turns.
 #include "inkcell/port/strip_loop.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace {
 
 bool is_side(int32_t px) noexcept {
@@ -88,5 +87,4 @@ Status run_strips(const StripLoop& loop, const Rect& part) noexcept {
   return is_sending ? loop.wait(loop.display) : status;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -3,9 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// `bytes` must be a multiple of 4: some cores trap otherwise.
 inline uint32_t load_word(const uint8_t* bytes) noexcept {
@@ -65,6 +63,4 @@ inline uint32_t word_of(uint32_t byte0,
 #endif
 }
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

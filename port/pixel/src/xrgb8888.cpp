@@ -4,8 +4,7 @@
 #include "run.hpp"
 #include "word.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 namespace {
 
@@ -70,5 +69,4 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 const detail::SinkKind detail::Xrgb8888Pixels::kKind = {
     coverage, solid, nullptr, nullptr, layout_of(PixelFormat::xrgb8888)};
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

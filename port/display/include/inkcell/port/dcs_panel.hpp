@@ -9,8 +9,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// The rotation of the picture on the panel, clockwise.
 enum class Rotation : uint8_t { none, quarter, half, three_quarters };
@@ -71,5 +70,4 @@ Status wake(const DcsPanel& panel) noexcept;
 /// hangs on the controller; on most modules it is a pin of the board.
 void set_brightness(const DcsPanel& panel, uint8_t brightness) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -16,8 +16,7 @@
 
 #include "inkcell/cpp17.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 struct DisplayBus {
   /// The first argument of each function.
@@ -45,5 +44,4 @@ struct DisplayBus {
   void (*wait_idle)(void* context) = nullptr;
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

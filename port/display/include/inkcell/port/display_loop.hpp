@@ -6,8 +6,7 @@
 #include "inkcell/port/dcs_panel.hpp"
 #include "inkcell/port/strip_loop.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A loop with the size, the format, the byte order and write() of a display,
 /// which has a driver in this folder. `context` and `draw` are left to set, and
@@ -44,5 +43,4 @@ StripLoop loop_over(Display& display,
   return loop;
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -7,8 +7,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// The memory that a display controller reads; owned by the board. Strips have
 /// the same format. Instead of copying, a program can also draw directly: any
@@ -28,5 +27,4 @@ struct Framebuffer {
 /// pixels than its rows need. Nothing is copied then.
 Status write(const Framebuffer& display, const Strip& strip) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

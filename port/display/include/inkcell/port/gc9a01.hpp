@@ -5,8 +5,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// See dcs_panel.hpp. Most panels need the maker's settings in DcsPanel::setup.
 /// round_strip() of round_strip.hpp skips pixels outside of the circle.
@@ -27,5 +26,4 @@ Status init(const Gc9a01& display) noexcept;
 /// Nothing is sent then.
 Status write(const Gc9a01& display, const Strip& strip) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

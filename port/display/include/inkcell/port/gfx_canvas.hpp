@@ -11,8 +11,7 @@
 #include "inkcell/port/picture.hpp"
 #include "inkcell/port/rgb565.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// The machine's.
 inline constexpr ByteOrder kNativeOrder = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
@@ -48,5 +47,4 @@ inline Rgb565Canvas gfx_canvas16(uint16_t* buffer,
                       colour);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

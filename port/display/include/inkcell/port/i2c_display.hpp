@@ -6,8 +6,7 @@
 
 #include "inkcell/port/display_bus.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// For controllers with a control byte before commands and pixels: SSD1306,
 /// SH1106 and their relatives. The board's function writes one transfer, from
@@ -31,5 +30,4 @@ inline constexpr size_t kI2cTransfer = 32;
 /// `display` must outlive the bus.
 DisplayBus make_bus(I2cDisplay& display) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -5,8 +5,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// See dcs_panel.hpp. Most modules need mirror_columns and blue_first.
 struct Ili9341 : DcsPanel {};
@@ -26,5 +25,4 @@ Status init(const Ili9341& display) noexcept;
 /// Nothing is sent then.
 Status write(const Ili9341& display, const Strip& strip) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -6,8 +6,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A picture of `width` x `height` px (each 0..32767), first pixel at (0, 0),
 /// without gaps between rows or pages. `pixels` has strip_bytes() bytes and
@@ -26,5 +25,4 @@ constexpr Strip whole_picture(uint8_t* pixels,
           order};
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

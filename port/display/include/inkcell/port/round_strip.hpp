@@ -6,8 +6,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// The columns of `strip` that have pixels in the inscribed circle of a square
 /// screen of `diameter` px (1 to 32767), as a strip in the same memory without
@@ -21,5 +20,4 @@ Strip round_strip(const Strip& strip,
                   PixelFormat format,
                   int32_t diameter) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -8,8 +8,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A display of up to 132 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
@@ -50,5 +49,4 @@ void wake(const Sh1106& display) noexcept;
 /// How bright pixels are, 0 to 255; 128 after a reset.
 void set_contrast(const Sh1106& display, uint8_t contrast) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

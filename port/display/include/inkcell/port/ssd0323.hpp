@@ -8,8 +8,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A display of up to 128 x 80 pixels, usually 128 x 64. Its pixels are those
 /// of PixelFormat::grey4 with BitOrder::high_left.
@@ -45,5 +44,4 @@ void wake(const Ssd0323& display) noexcept;
 /// How bright pixels are, 0 to 255, in 128 steps; 128 after a reset.
 void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

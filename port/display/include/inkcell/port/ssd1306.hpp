@@ -8,8 +8,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A display of up to 128 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
@@ -54,5 +53,4 @@ void wake(const Ssd1306& display) noexcept;
 /// How bright pixels are, 0 to 255; 127 after a reset.
 void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -17,8 +17,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 enum class EpaperController : uint8_t {
   ssd1680,  // memory of 176 x 296 px
@@ -76,5 +75,4 @@ Status refresh(const Ssd1680& display, EpaperRefresh kind) noexcept;
 /// bad_argument: as init(), or the bus has no `reset`. Nothing is sent then.
 Status sleep(const Ssd1680& display) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -5,8 +5,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// See dcs_panel.hpp. On modules of 128 x 160 the panel begins at (0, 0) of a
 /// memory of 128 x 160, or at (2, 1) of 132 x 162.
@@ -33,5 +32,4 @@ Status write(const St7735& display, const Strip& strip) noexcept;
 /// The controller drives no backlight.
 void set_brightness(const St7735& display, uint8_t brightness) = delete;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

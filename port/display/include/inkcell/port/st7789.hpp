@@ -5,8 +5,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// See dcs_panel.hpp. Panels of 240 x 240 begin at (0, 0), those of 135 x 240
 /// at (52, 40) or (53, 40).
@@ -27,5 +26,4 @@ Status init(const St7789& display) noexcept;
 /// Nothing is sent then.
 Status write(const St7789& display, const Strip& strip) noexcept;
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

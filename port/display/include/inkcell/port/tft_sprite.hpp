@@ -10,8 +10,7 @@
 #include "inkcell/port/picture.hpp"
 #include "inkcell/port/rgb565.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A sprite of setColorDepth(16), high byte first. `buffer` must outlive the
 /// canvas.
@@ -36,5 +35,4 @@ inline MonoRowsCanvas tft_sprite1(void* buffer,
                         level);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

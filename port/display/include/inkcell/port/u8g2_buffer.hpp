@@ -9,8 +9,7 @@
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/picture.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// Draws 1, or 0 after set_level(0). `buffer` has tiles of 8 x 8 px:
 /// getBufferTileWidth() by getBufferTileHeight(). `first_tile_row` is 0 for a
@@ -26,5 +25,4 @@ inline MonoPagesCanvas u8g2_buffer(uint8_t* buffer,
   return MonoPagesCanvas(strip);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct A8Pixels {
   Strip strip;
@@ -24,5 +23,4 @@ class A8Canvas : public Canvas<detail::A8Pixels> {
   explicit A8Canvas(const Strip& strip = {}) noexcept : Canvas(strip) {}
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -16,8 +16,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 
 // The memory layout of a format.
@@ -100,5 +99,4 @@ class Canvas : public Sink {
   Status status_;
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

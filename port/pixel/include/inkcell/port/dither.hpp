@@ -12,8 +12,7 @@
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 void set_dither(const MonoRowsPixels& pixels, Sink& sink) noexcept;
 void set_dither(const MonoPagesPixels& pixels, Sink& sink) noexcept;
@@ -28,5 +27,4 @@ void set_dither(Canvas<Pixels>& canvas) noexcept {
   detail::set_dither(canvas.pixels(), canvas);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

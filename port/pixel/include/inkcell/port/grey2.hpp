@@ -8,8 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct Grey2Pixels {
   Strip strip;
@@ -31,5 +30,4 @@ class Grey2Canvas : public detail::LevelCanvas<detail::Grey2Pixels, 3> {
   }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct Grey4Pixels {
   Strip strip;
@@ -25,5 +24,4 @@ class Grey4Canvas : public detail::LevelCanvas<detail::Grey4Pixels, 15> {
   using LevelCanvas::LevelCanvas;
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

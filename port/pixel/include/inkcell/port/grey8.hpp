@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct Grey8Pixels {
   Strip strip;
@@ -32,5 +31,4 @@ class Grey8Canvas : public Canvas<detail::Grey8Pixels> {
   void set_level(uint8_t level) noexcept { pixels_.level = level; }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

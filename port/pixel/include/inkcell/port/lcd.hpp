@@ -10,8 +10,7 @@
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 void set_sub_pixels(const Rgb565Pixels& pixels, Sink& sink) noexcept;
 void set_sub_pixels(const Rgb888Pixels& pixels, Sink& sink) noexcept;
@@ -24,5 +23,4 @@ void set_sub_pixels(Canvas<Pixels>& canvas) noexcept {
   detail::set_sub_pixels(canvas.pixels(), canvas);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -7,9 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
-namespace detail {
+namespace inkcell::port::detail {
 
 /// Levels over kMaxLevel are clamped.
 template <typename Pixels, uint8_t kMost>
@@ -41,6 +39,4 @@ class LevelCanvas : public Canvas<Pixels> {
   }
 };
 
-}  // namespace detail
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port::detail

@@ -8,8 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct MonoPagesPixels {
   Strip strip;
@@ -58,5 +57,4 @@ class MonoPagesCanvas : public Canvas<detail::MonoPagesPixels> {
   }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

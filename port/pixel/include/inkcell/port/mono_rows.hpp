@@ -8,8 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct MonoRowsPixels {
   Strip strip;
@@ -54,5 +53,4 @@ class MonoRowsCanvas : public Canvas<detail::MonoRowsPixels> {
   }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

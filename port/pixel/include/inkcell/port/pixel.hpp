@@ -35,8 +35,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 enum class PixelFormat : uint8_t {
   a8,
@@ -129,5 +128,4 @@ constexpr uint32_t blend(uint32_t coverage,
   return divide_by_255(coverage * foreground + (255 - coverage) * background);
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

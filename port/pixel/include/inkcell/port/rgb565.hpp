@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 /// The pixel of an 8-bit colour: the high bits of each channel.
 constexpr uint16_t rgb565(uint8_t red, uint8_t green, uint8_t blue) noexcept {
   return static_cast<uint16_t>((red >> 3) << 11 | (green >> 2) << 5 |
@@ -44,5 +43,4 @@ class Rgb565Canvas : public Canvas<detail::Rgb565Pixels> {
   void set_colour(uint16_t colour) noexcept { pixels_.colour = colour; }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 /// The channel at the lowest address.
 enum class ChannelOrder : uint8_t { red_first, blue_first };
 
@@ -41,5 +40,4 @@ class Rgb888Canvas : public Canvas<detail::Rgb888Pixels> {
   void set_colour(uint32_t colour) noexcept { pixels_.colour = colour; }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

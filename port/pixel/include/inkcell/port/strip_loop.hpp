@@ -17,8 +17,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 
 /// A screen, the memory for its strips, and the functions that draw and send
 /// them. The caller owns the memory. Strips are as high as the buffer allows:
@@ -68,5 +67,4 @@ inline Status run_strips(const StripLoop& loop) noexcept {
   return run_strips(loop, {0, 0, loop.width, loop.height});
 }
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port

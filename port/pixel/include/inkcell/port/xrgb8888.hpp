@@ -7,8 +7,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace port {
+namespace inkcell::port {
 namespace detail {
 struct Xrgb8888Pixels {
   Strip strip;
@@ -40,5 +39,4 @@ class Xrgb8888Canvas : public Canvas<detail::Xrgb8888Pixels> {
   void set_colour(uint32_t colour) noexcept { pixels_.colour = colour; }
 };
 
-}  // namespace port
-}  // namespace inkcell
+}  // namespace inkcell::port
