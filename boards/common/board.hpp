@@ -5,8 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// Switches clocks, UART and counter on. Called by the start-up code only.
 void init() noexcept;
@@ -28,5 +27,4 @@ void print(const char* text) noexcept;
 void print_decimal(uint32_t value) noexcept;
 void print_hex(uint32_t value) noexcept;
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -5,8 +5,7 @@
 
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// Starts the card. Call display_init() first: they may share their wires.
 Status card_init() noexcept;
@@ -18,5 +17,4 @@ bool card_read(void* context,
                uint8_t* bytes,
                uint32_t count) noexcept;
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -1,8 +1,7 @@
 // Prints strings and numbers by console_write().
 #include "board.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 void print(const char* text) noexcept {
   size_t size = 0;
@@ -32,5 +31,4 @@ void print_hex(uint32_t value) noexcept {
   console_write(digits, sizeof digits);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -8,8 +8,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// The board's counter; wraps at 2^INKCELL_COUNTER_BITS. [ticks]
 uint32_t counter_ticks() noexcept;
@@ -63,5 +62,4 @@ uint32_t count_instructions(const Work& work) noexcept {
 
 #endif
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -10,8 +10,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// Switches the display on. False if it does not exist or lacks this format.
 bool display_init(port::PixelFormat format) noexcept;
@@ -22,5 +21,4 @@ bool display_init(port::PixelFormat format) noexcept;
 /// driver says bad_argument or buffer_small, and nothing changes.
 Status display_write(const Strip& strip) noexcept;
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

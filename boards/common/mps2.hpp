@@ -6,8 +6,7 @@
 
 #include "registers.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// Enables the transmitter, and the timer as a free-running 32-bit counter.
 inline void mps2_init(uintptr_t uart, uintptr_t timer) noexcept {
@@ -31,5 +30,4 @@ inline uint32_t mps2_ticks(uintptr_t timer) noexcept {
   return 0xffffffff - reg(timer + 0x04);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// The register of type T (uint8_t, uint16_t, uint32_t) at `address`.
 template <typename T = uint32_t>
@@ -19,5 +18,4 @@ inline void touch(uintptr_t address) noexcept {
   static_cast<void>(value);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -1,7 +1,6 @@
 #include "sd_card.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 // Commands of the SD specification, part 1, chapter 7.
@@ -183,5 +182,4 @@ Status SdCard::receive(uint8_t* bytes) const noexcept {
   return crc == 0 ? Status::ok : Status::read_failed;
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -9,8 +9,7 @@
 
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 /// The wires to a card: SPI mode 0 or 3, high bit first.
 struct CardBus {
@@ -51,5 +50,4 @@ class SdCard {
   bool counts_blocks_ = false;  // addresses are blocks, and not bytes
 };
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

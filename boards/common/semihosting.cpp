@@ -54,8 +54,7 @@ inkcell_semihosting_trap:
 )");
 #endif
 
-namespace inkcell {
-namespace semihosting {
+namespace inkcell::semihosting {
 namespace {
 
 // The operations' numbers in the Arm semihosting specification.
@@ -125,5 +124,4 @@ void exit(int code) noexcept {
   inkcell_semihosting(kExitExtended, block);
 }
 
-}  // namespace semihosting
-}  // namespace inkcell
+}  // namespace inkcell::semihosting

@@ -8,8 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace inkcell {
-namespace semihosting {
+namespace inkcell::semihosting {
 
 enum class Mode : uint32_t { read = 1, write = 5 };  // both binary
 
@@ -33,5 +32,4 @@ bool command_line(char* line, size_t size) noexcept;
 /// Ends the emulator with this exit code. Returns if there is none.
 void exit(int code) noexcept;
 
-}  // namespace semihosting
-}  // namespace inkcell
+}  // namespace inkcell::semihosting

@@ -1,8 +1,7 @@
 // Paints the stack, and finds how much of the paint is overwritten.
 #include "stack.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uint32_t kPaint = 0x5ac3a53c;
@@ -25,5 +24,4 @@ uintptr_t lowest_stack_used() noexcept {
   return reinterpret_cast<uintptr_t>(at);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -10,8 +10,7 @@ extern uint32_t inkcell_stack_limit[];
 extern uint32_t inkcell_stack_top[];
 }
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 inline uintptr_t stack_pointer() noexcept {
   uintptr_t value;
@@ -39,5 +38,4 @@ template <typename Work>
   return here - lowest_stack_used();
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -5,8 +5,7 @@
 
 #include "registers.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 inline constexpr uintptr_t kSysTick = 0xe000e010;
 
@@ -23,5 +22,4 @@ inline uint32_t systick_ticks() noexcept {
   return 0xffffff - (reg(kSysTick + 8) & 0xffffff);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -6,8 +6,7 @@
 
 #include "registers.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 
 inline void pl011_init(uintptr_t base) noexcept {
   reg(base + 0x30) = 0x301;  // enable, transmit, receive
@@ -23,5 +22,4 @@ inline void pl011_write(uintptr_t base,
   }
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

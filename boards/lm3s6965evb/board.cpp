@@ -11,8 +11,7 @@
 #include "systick.hpp"
 #include "uart_pl011.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kPortA = 0x40004000;
@@ -156,5 +155,4 @@ bool card_read(void*,
   return true;
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -8,8 +8,7 @@
 #include "systick.hpp"
 #include "uart_pl011.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kPortB = 0x40005000;
@@ -92,5 +91,4 @@ Status display_write(const Strip& strip) noexcept {
   return port::write(kDisplay, strip);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

@@ -4,8 +4,7 @@
 #include "counter.hpp"
 #include "registers.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kUart = 0x40002000;
@@ -45,5 +44,4 @@ uint32_t counter_ticks() noexcept {
   return reg(kTimerCaptured);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

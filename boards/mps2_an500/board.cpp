@@ -4,8 +4,7 @@
 #include "counter.hpp"
 #include "mps2.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kUart = 0x40004000;
@@ -25,5 +24,4 @@ uint32_t counter_ticks() noexcept {
   return mps2_ticks(kTimer);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

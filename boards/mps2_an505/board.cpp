@@ -5,8 +5,7 @@
 #include "counter.hpp"
 #include "mps2.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kUart = 0x50200000;
@@ -26,5 +25,4 @@ uint32_t counter_ticks() noexcept {
   return mps2_ticks(kTimer);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

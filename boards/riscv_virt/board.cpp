@@ -6,8 +6,7 @@
 #include "inkcell/port/framebuffer.hpp"
 #include "registers.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kUart = 0x10000000;
@@ -118,5 +117,4 @@ Status display_write(const Strip& strip) noexcept {
   return port::write(display, strip);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

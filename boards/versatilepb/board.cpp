@@ -6,8 +6,7 @@
 #include "registers.hpp"
 #include "uart_pl011.hpp"
 
-namespace inkcell {
-namespace board {
+namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kUart = 0x101f1000;
@@ -47,5 +46,4 @@ Status display_write(const Strip& strip) noexcept {
   return port::write(kDisplay, strip);
 }
 
-}  // namespace board
-}  // namespace inkcell
+}  // namespace inkcell::board

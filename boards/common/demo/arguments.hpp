@@ -3,8 +3,7 @@
 
 #include <stdint.h>
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 
 /// Finds `name`=number among the arguments; `name` ends with '='.
 inline bool find_number(int count,
@@ -29,5 +28,4 @@ inline bool find_number(int count,
   return false;
 }
 
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

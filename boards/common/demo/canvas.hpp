@@ -16,8 +16,7 @@
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 inline constexpr int32_t kWidth = INKCELL_DISPLAY_WIDTH;
@@ -101,5 +100,4 @@ class Canvas {
 };
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -7,8 +7,7 @@
 #include "motion_paper.hpp"
 #include "show.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -64,5 +63,4 @@ void show_motion(uint32_t frame) noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

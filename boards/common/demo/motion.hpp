@@ -8,8 +8,7 @@
 
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 /// Opens font and scene. Call it once.
@@ -19,5 +18,4 @@ Status open_motion() noexcept;
 void show_motion(uint32_t frame) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -8,8 +8,7 @@
 #include "ink.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 /// A strip to draw a scene on.
 class MotionPaper {
@@ -34,5 +33,4 @@ class MotionPaper {
 };
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

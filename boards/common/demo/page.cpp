@@ -5,8 +5,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/painter.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -72,5 +71,4 @@ Status show_page(const Font& font, uint32_t page) noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

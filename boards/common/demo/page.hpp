@@ -8,8 +8,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/status.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 /// How many pages there are; the numbers of others are taken modulo this.
@@ -23,5 +22,4 @@ inline constexpr uint32_t kPages = 3;
 Status show_page(const Font& font, uint32_t page) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -5,8 +5,7 @@
 #include "display.hpp"
 #include "show.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -53,5 +52,4 @@ void show_pattern() noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

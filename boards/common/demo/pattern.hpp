@@ -1,8 +1,7 @@
 // A test picture: every ink with every coverage, and a window in the middle.
 #pragma once
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 /// Shows the picture, then sends the window with inverted coverage as a strip
@@ -10,5 +9,4 @@ inline namespace INKCELL_DEMO_NAME {
 void show_pattern() noexcept;
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -5,8 +5,7 @@
 #include INKCELL_DEMO_CODING_HEADER
 #include INKCELL_DEMO_FONT_HEADER
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -172,5 +171,4 @@ int32_t Scene::missing_characters() const noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -17,8 +17,7 @@
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 /// Laid out once a frame, drawn strip by strip.
@@ -82,5 +81,4 @@ class Scene {
 };
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

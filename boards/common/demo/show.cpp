@@ -5,8 +5,7 @@
 #include "display.hpp"
 #include "inkcell/port/strip_loop.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -30,5 +29,4 @@ void show(Status (*draw)(void*, const Strip&)) noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -4,8 +4,7 @@
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
 /// Calls `draw` for every strip of the screen, of INKCELL_DEMO_ROWS rows each,
@@ -13,5 +12,4 @@ inline namespace INKCELL_DEMO_NAME {
 void show(Status (*draw)(void*, const Strip&)) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -15,8 +15,7 @@
 #  include "board.hpp"
 #endif
 
-namespace inkcell {
-namespace demo {
+namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 namespace {
 
@@ -110,5 +109,4 @@ void show_motion(uint32_t frame) noexcept {
 }
 
 }  // namespace INKCELL_DEMO_NAME
-}  // namespace demo
-}  // namespace inkcell
+}  // namespace inkcell::demo

@@ -4,8 +4,7 @@
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/simulation/body_draw.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -306,5 +305,4 @@ void BodyScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -11,8 +11,7 @@
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// Figure 13 of Perry and Frisken: soft bodies. A simulation: set_frame() steps
 /// as often as needed, from the start if it goes back.
@@ -96,5 +95,4 @@ class BodyScene {
   uint32_t frame_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

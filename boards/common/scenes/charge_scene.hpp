@@ -6,8 +6,7 @@
 #include "inkcell/motion/timeline.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class ChargeScene : public TextScene {
@@ -82,5 +81,4 @@ class ChargeScene : public TextScene {
   int32_t most_ = 0;  // [percent]
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

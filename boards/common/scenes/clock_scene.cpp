@@ -1,7 +1,6 @@
 #include "clock_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using motion::Clock;
@@ -100,5 +99,4 @@ void ClockScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -5,8 +5,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class ClockScene : public TextScene {
@@ -32,5 +31,4 @@ class ClockScene : public TextScene {
   uint32_t first_minute_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -4,8 +4,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class CountScene : public TextScene {
@@ -58,5 +57,4 @@ class CountScene : public TextScene {
   int32_t most_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

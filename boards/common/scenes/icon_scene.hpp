@@ -6,8 +6,7 @@
 #include "inkcell/motion/timeline.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class IconScene : public TextScene {
@@ -78,5 +77,4 @@ class IconScene : public TextScene {
   int32_t count_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

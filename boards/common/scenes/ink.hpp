@@ -12,8 +12,7 @@
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// 0 to 255, by the weights of red, green and blue (ITU-R BT.601).
 constexpr uint8_t lightness(uint32_t rgb) noexcept {
@@ -55,5 +54,4 @@ inline void set_ink(port::Xrgb8888Canvas& canvas, uint32_t rgb) noexcept {
   canvas.set_colour(0xff000000 | rgb);
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -4,8 +4,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 enum class Letters { bounce, pulse, splash };
 
@@ -99,5 +98,4 @@ class LettersScene : public TextScene {
   motion::MovingLetters letters_;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -8,8 +8,7 @@
 #include "inkcell/simulation/redistance.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A simulation: set_frame() steps as often as needed, from the start if it
 /// goes back. Letters grow from their feet; parts without feet, such as dots,
@@ -144,5 +143,4 @@ class MeltScene : public TextScene {
   uint32_t step_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -10,8 +10,7 @@
 #include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -261,5 +260,4 @@ void OffsetScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -14,8 +14,7 @@
 #include "paint_text.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// Figure 14 of Perry and Frisken: attraction, repulsion and collision by one
 /// field, and offset curves that merge and split. A simulation: set_frame()
@@ -88,5 +87,4 @@ class OffsetScene {
   Rect now_;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

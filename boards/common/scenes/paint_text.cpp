@@ -1,7 +1,6 @@
 #include "paint_text.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 int32_t px_q6(const Font& font, Q26_6 size, int32_t units) noexcept {
@@ -64,5 +63,4 @@ Rect known_pixels(const motion::DistanceGrid& grid) noexcept {
           (box.y1 + 1) * side};
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

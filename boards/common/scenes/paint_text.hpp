@@ -8,8 +8,7 @@
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A text in the middle of a screen of width x height px. Its ink takes at most
 /// the given parts of both. Made by find_place().
@@ -38,5 +37,4 @@ bool paint_text(const Font& font,
 /// The part of the screen where the grid has distances.
 Rect known_pixels(const motion::DistanceGrid& grid) noexcept;
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -13,8 +13,7 @@
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// Frames a second of every scene.
 inline constexpr int32_t kFramesPerSecond = 30;
@@ -96,5 +95,4 @@ constexpr int32_t time_of(uint32_t frame) noexcept {
   return static_cast<int32_t>(frame % kLoopFrames) * 1000 / kFramesPerSecond;
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

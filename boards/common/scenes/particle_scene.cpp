@@ -8,8 +8,7 @@
 #include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -382,5 +381,4 @@ void ParticleScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

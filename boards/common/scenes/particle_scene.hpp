@@ -15,8 +15,7 @@
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A simulation: each frame follows from the one before. set_frame() steps as
 /// often as needed, from the start if it goes back.
@@ -86,5 +85,4 @@ class ParticleScene {
   int32_t word_ = -1;  // of the distances in the grid
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -6,8 +6,7 @@
 #include "inkcell/motion/spring.hpp"
 #include "inkcell/motion/timeline.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -191,5 +190,4 @@ void PathScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

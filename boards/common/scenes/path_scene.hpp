@@ -11,8 +11,7 @@
 #include "inkcell/text.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class PathScene {
@@ -59,5 +58,4 @@ class PathScene {
   uint32_t frame_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -7,8 +7,7 @@
 #include "inkcell/motion/timeline.hpp"
 #include "paint_text.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -119,5 +118,4 @@ void PrintScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -11,8 +11,7 @@
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// Relief, engraving, rings, hatching, halftone: each wipes over the one
 /// before. A function of time: frames can be drawn in any order.
@@ -60,5 +59,4 @@ class PrintScene {
   uint32_t frame_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -6,8 +6,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "letters_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class PulseScene : public LettersScene<Letters::pulse> {
@@ -56,5 +55,4 @@ class PulseScene : public LettersScene<Letters::pulse> {
   bool has_masters_ = false;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -1,7 +1,6 @@
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 TextScene::TextScene(const SceneSetting& setting,
                      Text widest,
@@ -62,5 +61,4 @@ bool TextScene::read_number(int32_t most,
   return is_unit;
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -13,8 +13,7 @@
 #include "paint_text.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// The base of scenes that are functions of their frame's number.
 class TextScene {
@@ -91,5 +90,4 @@ class TextScene {
   uint32_t frame_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

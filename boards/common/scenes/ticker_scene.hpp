@@ -5,8 +5,7 @@
 #include "inkcell/motion/fade.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class TickerScene : public TextScene {
@@ -51,5 +50,4 @@ class TickerScene : public TextScene {
   Rect window_;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -4,8 +4,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class TypewriterScene : public TextScene {
@@ -57,5 +56,4 @@ class TypewriterScene : public TextScene {
   motion::Typewriter line_;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

@@ -13,8 +13,7 @@
 #include "inkcell/style.hpp"
 #include "paint_text.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 namespace {
 
 using namespace motion;
@@ -290,5 +289,4 @@ void VortexScene::tell_state(const StateSink& sink) const noexcept {
   }
 }
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

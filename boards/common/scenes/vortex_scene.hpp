@@ -12,8 +12,7 @@
 #include "inkcell/workspace.hpp"
 #include "paper.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// Figure 15 of Perry and Frisken: level sets, and layers or a print drawn by
 /// distance. A simulation: set_frame() steps as often as needed, from the start
@@ -88,5 +87,4 @@ class VortexScene {
   bool has_changed_ = true;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes

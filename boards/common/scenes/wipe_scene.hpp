@@ -4,8 +4,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "text_scene.hpp"
 
-namespace inkcell {
-namespace scenes {
+namespace inkcell::scenes {
 
 /// A frame depends only on its number.
 class WipeScene : public TextScene {
@@ -55,5 +54,4 @@ class WipeScene : public TextScene {
   uint32_t half_ = 0;
 };
 
-}  // namespace scenes
-}  // namespace inkcell
+}  // namespace inkcell::scenes
