@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/code_lengths.hpp"
-#include "outlines/outline_code.hpp"
+#include "outlines/code_search.hpp"
 
 #include <algorithm>
 #include <limits>

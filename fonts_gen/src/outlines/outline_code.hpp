@@ -25,6 +25,11 @@ CodeSymbol symbol_of(const OutlineStep& step);
 /// Whether steps of `narrow` may be written by the word of `wide`.
 bool covers(const CodeSymbol& wide, const CodeSymbol& narrow);
 
+/// The smallest tables to try. Smaller ones cannot distinguish the kinds of
+/// points.
+inline constexpr int kLeastCodeBits = 4;
+inline constexpr int kMostCodeBits = 7;
+
 /// Of each entry of a table of code words.
 inline constexpr uint64_t kEntryBits = 16;
 
@@ -120,13 +125,6 @@ class OutlineCode {
   std::vector<Words> tables_;
   TableOfClass table_of_class_ = {};
 };
-
-/// The code with the smallest tables and streams for `counts`, as far as the
-/// search finds it. The same counts give the same code on every machine. Words
-/// have 4 bits or more, and tables `most_entries` together, 16..1024. Several
-/// tables must save a twentieth, as they cost instructions.
-OutlineCode make_outline_code(const StepCounts& counts,
-                              size_t most_entries = 1024);
 
 /// A code for all possible steps, without a search: for trials, whose picture
 /// does not depend on the code.

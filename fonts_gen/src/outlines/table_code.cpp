@@ -14,6 +14,7 @@
 
 #include "base/code_lengths.hpp"
 #include "outlines/outline_steps.hpp"
+#include "outlines/symbol_shares.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -68,36 +69,6 @@ void join_groups(std::vector<Group>& groups) {
   groups.erase(groups.begin() + static_cast<ptrdiff_t>(b));
 }
 
-// A symbol and how many steps it writes.
-struct Share {
-  CodeSymbol symbol;
-  uint64_t count;
-};
-
-int number_bits(const CodeSymbol& symbol) {
-  return symbol.x_bits + symbol.y_bits - (symbol.sign != 0 ? 1 : 0);
-}
-
-Share joined(const Share& a, const Share& b) {
-  Share both = a;
-  both.symbol.x_bits = std::max(a.symbol.x_bits, b.symbol.x_bits);
-  both.symbol.y_bits = std::max(a.symbol.y_bits, b.symbol.y_bits);
-  both.count += b.count;
-  return both;
-}
-
-// What steps take more if two symbols are one. [bits, Q8]
-int64_t loss_q8(const Share& a, const Share& b) {
-  const Share both = joined(a, b);
-  const auto more = [&both](const Share& one) {
-    return one.count * static_cast<uint64_t>(number_bits(both.symbol) -
-                                             number_bits(one.symbol));
-  };
-  return static_cast<int64_t>((more(a) + more(b)) << 8) +
-         static_cast<int64_t>(n_log_n_q8(a.count) + n_log_n_q8(b.count)) -
-         static_cast<int64_t>(n_log_n_q8(both.count));
-}
-
 // The symbols of one table, and their words' lengths.
 struct TablePlan {
   std::vector<CodeSymbol> symbols;
@@ -105,53 +76,14 @@ struct TablePlan {
   uint64_t bits = std::numeric_limits<uint64_t>::max();  // of streams
 };
 
-// The symbols of one class, and the two of them that lose least as one.
-class ClassShares {
- public:
-  void add(const Share& share) { shares_.push_back(share); }
-  void find_pair() {
-    loss_ = kNoPair;
-    for (size_t i = 0; i < shares_.size(); ++i) {
-      for (size_t j = i + 1; j < shares_.size(); ++j) {
-        const int64_t loss = loss_q8(shares_[i], shares_[j]);
-        if (loss < loss_) {
-          loss_ = loss;
-          first_ = i;
-          second_ = j;
-        }
-      }
-    }
-  }
-  void join_pair() {
-    shares_[first_] = joined(shares_[first_], shares_[second_]);
-    shares_.erase(shares_.begin() + static_cast<ptrdiff_t>(second_));
-    find_pair();
-  }
-
-  static constexpr int64_t kNoPair = std::numeric_limits<int64_t>::max();
-  int64_t loss() const { return loss_; }
-  const std::vector<Share>& shares() const { return shares_; }
-
- private:
-  std::vector<Share> shares_;
-  int64_t loss_ = kNoPair;
-  size_t first_ = 0;
-  size_t second_ = 0;
-};
-
 // The plan of a table for each width from kLeastCodeBits on.
 class TableSearch {
  public:
   explicit TableSearch(const ClassCounts& counts) {
-    for (const auto& [symbol, count] : counts.points) {
-      classes_[class_of(symbol)].add({symbol, count});
-    }
-    for (ClassShares& shares : classes_) {
-      shares.find_pair();
-    }
+    SymbolShares shares(counts);
     do {
-      try_shares(counts);
-    } while (join_two());
+      try_shares(shares.all(), counts);
+    } while (shares.join_two());
   }
 
   const TablePlan& plan(int code_bits) const {
@@ -159,14 +91,12 @@ class TableSearch {
   }
 
  private:
-  void try_shares(const ClassCounts& of) {
+  void try_shares(const std::vector<Share>& shares, const ClassCounts& of) {
     TablePlan found;
     std::vector<uint64_t> counts;
-    for (const ClassShares& shares : classes_) {
-      for (const Share& share : shares.shares()) {
-        found.symbols.push_back(share.symbol);
-        counts.push_back(share.count);
-      }
+    for (const Share& share : shares) {
+      found.symbols.push_back(share.symbol);
+      counts.push_back(share.count);
     }
     if (of.has_end) {
       found.symbols.push_back({WordKind::end, 0, 0});
@@ -190,21 +120,6 @@ class TableSearch {
     }
   }
 
-  // Joins the two symbols of a class that lose least. False: there are none.
-  bool join_two() {
-    ClassShares& least =
-        *std::min_element(classes_.begin(), classes_.end(),
-                          [](const ClassShares& a, const ClassShares& b) {
-                            return a.loss() < b.loss();
-                          });
-    if (least.loss() == ClassShares::kNoPair) {
-      return false;
-    }
-    least.join_pair();
-    return true;
-  }
-
-  std::array<ClassShares, kStepClasses> classes_;
   TablePlan plans_[kMostCodeBits - kLeastCodeBits + 1];
 };
 

@@ -8,11 +8,6 @@
 
 namespace inkcell::gen {
 
-/// The smallest tables to try. Smaller ones cannot distinguish the kinds of
-/// points.
-inline constexpr int kLeastCodeBits = 4;
-inline constexpr int kMostCodeBits = 7;
-
 /// The code of 2, 4 or 8 tables with the smallest tables and streams, as far as
 /// the search finds it; all of them have `most_entries` at most. None if they
 /// do not suffice.

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "outlines/code_search.hpp"
 #include "outlines/composites.hpp"
 #include "outlines/expand.hpp"
-#include "outlines/outline_code.hpp"
 #include "outlines/outline_steps.hpp"
 
 namespace inkcell::gen {
