@@ -31,21 +31,6 @@ std::vector<Point> chords_of(const Contour& contour) {
   return line;
 }
 
-Box box_of(const std::vector<std::vector<Point>>& lines) {
-  if (lines.empty()) {
-    return {};
-  }
-  const Point& first = lines.front().front();
-  Box box = {first.x, first.y, first.x, first.y};
-  for (const std::vector<Point>& line : lines) {
-    for (const Point& p : line) {
-      box = {std::min(box.x0, p.x), std::min(box.y0, p.y),
-             std::max(box.x1, p.x), std::max(box.y1, p.y)};
-    }
-  }
-  return box;
-}
-
 }  // namespace
 
 double overlap(const Interval& a, const Interval& b) {
@@ -77,7 +62,7 @@ Border::Border(const Outline& outline) {
       lines_.push_back(std::move(line));
     }
   }
-  box_ = box_of(lines_);
+  box_ = empty() ? Box() : box_of(lines_);
 }
 
 Intervals Border::ink_at(Axis axis, double at) const {

@@ -87,16 +87,13 @@ bool is_symmetric(const Border& border) {
 // The box of a closed line; empty if it bounds a counter, which lies to its
 // right.
 Box ink_box(const std::vector<Point>& line) {
-  Box box = {line[0].x, line[0].y, line[0].x, line[0].y};
   double twice_area = 0;
   Point last = line.back();
   for (const Point& point : line) {
-    box = {std::min(box.x0, point.x), std::min(box.y0, point.y),
-           std::max(box.x1, point.x), std::max(box.y1, point.y)};
-    twice_area += last.x * point.y - last.y * point.x;
+    twice_area += cross(last, point);
     last = point;
   }
-  return twice_area > 0 ? box : Box();
+  return twice_area > 0 ? box_of({line}) : Box();
 }
 
 // Dots, accents and the like have edges that are too short for strokes: if a

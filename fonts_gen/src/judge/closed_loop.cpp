@@ -41,14 +41,6 @@ int phases_at(int px, int phases) {
   return std::clamp(needed, 1, phases);
 }
 
-Rect join(const Rect& a, const Rect& b) {
-  if (is_empty(a) || is_empty(b)) {
-    return is_empty(a) ? b : a;
-  }
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1),
-          std::max(a.y1, b.y1)};
-}
-
 inkcell::Point origin_of(const PictureSetting& setting) {
   return {Q26_6::from_raw(setting.phase_x), Q26_6::from_raw(setting.phase_y)};
 }
@@ -444,7 +436,7 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
       const inkcell::Point origin = origin_of(setting);
       const Rect inked =
           truth_ ? setting.pixels_of(shape_.box(), kMargin_px) : Rect();
-      Canvas canvas(join(inked, glyph.box(style, origin)));
+      Canvas canvas(bounding_box(inked, glyph.box(style, origin)));
       glyph.draw(style, origin, canvas.sink());
       compare(setting, canvas, inked, options_.measure,
               truth_ ? &*truth_ : nullptr, gathering);

@@ -274,8 +274,7 @@ MovedPixel worst_in(const Cells& cells, const Beginning& block) {
 void stretch(const Polygons& polygons, Box& box) {
   for (const std::vector<Point>& polygon : polygons) {
     for (const Point& p : polygon) {
-      box = {std::min(box.x0, p.x), std::min(box.y0, p.y),
-             std::max(box.x1, p.x), std::max(box.y1, p.y)};
+      box.add(p);
     }
   }
 }
@@ -296,7 +295,7 @@ MovedPixel MovedArea::worst_pixel(int px,
                                   double limit,
                                   const MovedPixel& known,
                                   std::vector<MovedPixel>& beyond) const {
-  Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  Box box = kNoBox;
   stretch(gained_, box);
   stretch(lost_, box);
   for (const Polygons& some : strays) {

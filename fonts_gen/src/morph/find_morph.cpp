@@ -356,15 +356,7 @@ MorphPolygons polygon_of(const Loop& loop) {
 std::vector<Body> bodies_of(const Outline& outline) {
   std::vector<Body> bodies;
   std::vector<Loop> holes;
-  int number = 0;
-  for (const Contour& contour : outline.contours) {
-    Loop loop;
-    for (const Segment& segment : contour.segments) {
-      loop.push_back(whole_edge(segment, number++));
-    }
-    if (loop.empty()) {
-      continue;
-    }
+  for (Loop& loop : loops_of(outline)) {
     if (area_of(loop) > 0) {
       bodies.push_back({std::move(loop), {}});
     } else {

@@ -15,15 +15,8 @@
 namespace inkcell::gen {
 namespace {
 
-bool correspond(const Outline& a, const Outline& b) {
-  return std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(),
-                    b.contours.end(), [](const Contour& s, const Contour& t) {
-                      return std::equal(s.segments.begin(), s.segments.end(),
-                                        t.segments.begin(), t.segments.end(),
-                                        [](const Segment& u, const Segment& v) {
-                                          return u.kind == v.kind;
-                                        });
-                    });
+bool equal_kinds(const Segment& a, const Segment& b) {
+  return a.kind == b.kind;
 }
 
 // Takes points near the border of the first master to where the same points of
@@ -47,26 +40,21 @@ class Way {
     const double turned_u = area_ < 0 ? -12 : 12;
     double least = kInfinity;
     Point best = at;
-    for (const Chord& chord : chords_) {
-      const Point d = chord.from[1] - chord.from[0];
-      const double size = dot(d, d);
-      const double t =
-          size > 0 ? std::clamp(dot(at - chord.from[0], d) / size, 0.0, 1.0)
-                   : 0;
-      const double cost = length(at - chord.from[0] - t * d) -
-                          turned_u * dot(along, direction(d));
+    for (const Chords& chord : chords_) {
+      const double cost = std::sqrt(chord.from.squared_distance(at)) -
+                          turned_u * dot(along, direction(chord.from.d));
       if (cost < least) {
         least = cost;
-        best = chord.to[0] + t * (chord.to[1] - chord.to[0]);
+        best = chord.to.at(chord.from.nearest(at));
       }
     }
     return best;
   }
 
  private:
-  struct Chord {
-    Point from[2];
-    Point to[2];
+  struct Chords {
+    Chord from;
+    Chord to;
   };
 
   void add(const Segment& first, const Segment& second) {
@@ -75,13 +63,16 @@ class Way {
     for (int i = 0; i < count; ++i) {
       const double t[] = {static_cast<double>(i) / count,
                           static_cast<double>(i + 1) / count};
-      chords_.push_back({{point_on(first, t[0]), point_on(first, t[1])},
-                         {point_on(second, t[0]), point_on(second, t[1])}});
-      area_ += cross(chords_.back().from[0], chords_.back().from[1]);
+      const Point a = point_on(first, t[0]);
+      const Point b = point_on(first, t[1]);
+      chords_.push_back(
+          {chord_between(a, b),
+           chord_between(point_on(second, t[0]), point_on(second, t[1]))});
+      area_ += cross(a, b);
     }
   }
 
-  std::vector<Chord> chords_;
+  std::vector<Chords> chords_;
   double area_ = 0;  // twice that of all contours
 };
 
@@ -98,21 +89,6 @@ LoopEdge moved(const LoopEdge& edge, const Way& way) {
   return out;
 }
 
-std::vector<Loop> loops_of(const Outline& outline) {
-  std::vector<Loop> loops;
-  int number = 0;
-  for (const Contour& contour : outline.contours) {
-    Loop loop;
-    for (const Segment& segment : contour.segments) {
-      loop.push_back(whole_edge(segment, number++));
-    }
-    if (!loop.empty()) {
-      loops.push_back(std::move(loop));
-    }
-  }
-  return loops;
-}
-
 // The loop with lines across its gaps: where contours of a master overlap, the
 // crossing is at other points of the second one, on each of both contours.
 Loop closed(const Loop& loop) {
@@ -121,7 +97,7 @@ Loop closed(const Loop& loop) {
     const Point& next = loop[(i + 1) % loop.size()].p[0];
     out.push_back(loop[i]);
     if (!(next == loop[i].p[2])) {
-      out.push_back(whole_edge({Segment::Kind::line, {loop[i].p[2], next}}, 0));
+      out.push_back(whole_edge(line_segment(loop[i].p[2], next), 0));
     }
   }
   return out;
@@ -212,7 +188,7 @@ bool is_good(const MorphPair& pair) {
 std::optional<MorphPair> find_master_morph(const Outline& first,
                                            const Outline& second,
                                            const Outline (&masters)[2]) {
-  if (!correspond(masters[0], masters[1])) {
+  if (!correspond(masters[0], masters[1], equal_kinds)) {
     return std::nullopt;
   }
   const std::vector<Loop> loops[] = {loops_of(first), loops_of(second)};

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "morph/morph_loop.hpp"
-#include "shape/points.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -139,17 +139,10 @@ bool is_torn(const MorphPair& pair) {
 
 double greatest_depth(const MorphPolygons& polygons) {
   constexpr double kStep_u = 20;
-  Point low = {kInfinity, kInfinity};
-  Point high = {-kInfinity, -kInfinity};
-  for (const auto& polygon : polygons) {
-    for (const Point& p : polygon) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
+  const Box box = box_of(polygons);
   double most = 0;
-  for (double x = low.x; x < high.x; x += kStep_u) {
-    for (double y = low.y; y < high.y; y += kStep_u) {
+  for (double x = box.x0; x < box.x1; x += kStep_u) {
+    for (double y = box.y0; y < box.y1; y += kStep_u) {
       most = std::max(most, depth_at(polygons, {x, y}, most));
     }
   }
@@ -214,9 +207,7 @@ double thickening_of(const MorphPair& pair) {
   return std::max({depth(0.25), depth(0.5), depth(0.75)}) / ends;
 }
 
-double depth_at(const MorphPolygons& polygons,
-                const Point& at,
-                double least) {
+double depth_at(const MorphPolygons& polygons, const Point& at, double least) {
   bool is_inside = false;
   for (const auto& polygon : polygons) {
     for (size_t i = 0; i < polygon.size(); ++i) {

@@ -58,6 +58,21 @@ LoopEdge whole_edge(const Segment& segment, int number) {
   return edge;
 }
 
+std::vector<Loop> loops_of(const Outline& outline) {
+  std::vector<Loop> loops;
+  int number = 0;
+  for (const Contour& contour : outline.contours) {
+    Loop loop;
+    for (const Segment& segment : contour.segments) {
+      loop.push_back(whole_edge(segment, number++));
+    }
+    if (!loop.empty()) {
+      loops.push_back(std::move(loop));
+    }
+  }
+  return loops;
+}
+
 LoopEdge part_of(const LoopEdge& edge, int from, int to) {
   LoopEdge part = edge;
   part.from = from;

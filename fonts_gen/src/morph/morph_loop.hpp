@@ -22,6 +22,9 @@ using Loop = std::vector<LoopEdge>;
 /// A line or quadratic as three points. Throws GeometryError for cubics.
 LoopEdge whole_edge(const Segment& segment, int number);
 
+/// The contours that have segments, which are numbered through.
+std::vector<Loop> loops_of(const Outline& outline);
+
 /// The edge from `from` to `to` eighths of its segment.
 LoopEdge part_of(const LoopEdge& edge, int from, int to);
 

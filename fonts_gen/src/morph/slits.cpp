@@ -65,6 +65,22 @@ std::vector<Middle> middles_of(const std::vector<Loop>& glyph,
   return out;
 }
 
+struct Extent {
+  double low = kInfinity;
+  double high = -kInfinity;
+
+  double size() const { return high - low; }
+};
+
+Extent extent_along(const Loop& hole, const Point& unit) {
+  Extent extent;
+  for (const LoopEdge& edge : hole) {
+    extent.low = std::min(extent.low, dot(edge.p[0], unit));
+    extent.high = std::max(extent.high, dot(edge.p[0], unit));
+  }
+  return extent;
+}
+
 // Pieces of the hole, and of the slit from `a` to `b`.
 MorphContour opened(const Loop& hole,
                     const Middle& a,
@@ -82,14 +98,10 @@ MorphContour opened(const Loop& hole,
   contour.slit_middle = middle(a.at, b.at);
   const Point along = b.at - a.at;
   const Point unit = direction(along);
-  double low = kInfinity;
-  double high = -kInfinity;
-  for (const LoopEdge& edge : hole) {
-    low = std::min(low, dot(edge.p[0], unit));
-    high = std::max(high, dot(edge.p[0], unit));
-  }
+  const Extent extent = extent_along(hole, unit);
   const auto eighth_of = [&](const Point& p) {
-    const double part = high > low ? (dot(p, unit) - low) / (high - low) : 0.5;
+    const double part =
+        extent.size() > 0 ? (dot(p, unit) - extent.low) / extent.size() : 0.5;
     return static_cast<int>(std::floor(std::min(part, 1.0) * 7 + 0.5));
   };
   const auto at = [&](int eighth) {
@@ -125,16 +137,6 @@ bool is_open(const MorphPolygons& polygons, const Middle& a, const Middle& b) {
   return true;
 }
 
-double extent_along(const Loop& hole, const Point& unit) {
-  double low = kInfinity;
-  double high = -kInfinity;
-  for (const LoopEdge& edge : hole) {
-    low = std::min(low, dot(edge.p[0], unit));
-    high = std::max(high, dot(edge.p[0], unit));
-  }
-  return high - low;
-}
-
 }  // namespace
 
 std::vector<MorphContour> slits_for(const Loop& hole,
@@ -150,7 +152,7 @@ std::vector<MorphContour> slits_for(const Loop& hole,
   for (size_t i = 0; i < middles.size(); ++i) {
     for (size_t j = 0; j <= i; ++j) {
       const Point along = middles[j].at - middles[i].at;
-      if (length(along) > extent_along(hole, direction(along)) ||
+      if (length(along) > extent_along(hole, direction(along)).size() ||
           (i != j && !is_open(polygons, middles[i], middles[j]))) {
         continue;
       }

@@ -27,17 +27,6 @@ constexpr double kLeastGap = 2;
 constexpr int kMostTries = 20000;
 constexpr size_t kMostComponents = 8;
 
-Box box_of(const std::vector<Polyline>& lines) {
-  Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
-  for (const Polyline& line : lines) {
-    for (const Point& p : line) {
-      box = {std::min(box.x0, p.x), std::min(box.y0, p.y),
-             std::max(box.x1, p.x), std::max(box.y1, p.y)};
-    }
-  }
-  return box;
-}
-
 bool far_apart(const Box& a, const Box& b) {
   return a.x0 > b.x1 + kLeastGap || b.x0 > a.x1 + kLeastGap ||
          a.y0 > b.y1 + kLeastGap || b.y0 > a.y1 + kLeastGap;
@@ -45,10 +34,7 @@ bool far_apart(const Box& a, const Box& b) {
 
 void add_curve(Polyline& line, Point a, Point c, Point b) {
   for (int i = 1; i <= kChords; ++i) {
-    const double t = static_cast<double>(i) / kChords;
-    const double s = 1 - t;
-    line.push_back({s * s * a.x + 2 * s * t * c.x + t * t * b.x,
-                    s * s * a.y + 2 * s * t * c.y + t * t * b.y});
+    line.push_back(on_quadratic(a, c, b, static_cast<double>(i) / kChords));
   }
 }
 
@@ -96,17 +82,8 @@ std::vector<Polyline> placed(const MinimalOutline& outline,
   return lines;
 }
 
-double distance(const Point& p, const Point& a, const Point& b) {
-  const double x = b.x - a.x;
-  const double y = b.y - a.y;
-  const double length2 = x * x + y * y;
-  const double along = (p.x - a.x) * x + (p.y - a.y) * y;
-  const double t = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
-}
-
 double side(const Point& p, const Point& a, const Point& b) {
-  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  return cross(b - a, p - a);
 }
 
 bool are_near(const Point& a0,
@@ -115,9 +92,11 @@ bool are_near(const Point& a0,
               const Point& b1) {
   const bool cross = (side(b0, a0, a1) > 0) != (side(b1, a0, a1) > 0) &&
                      (side(a0, b0, b1) > 0) != (side(a1, b0, b1) > 0);
-  return cross || std::min(std::min(distance(a0, b0, b1), distance(a1, b0, b1)),
-                           std::min(distance(b0, a0, a1),
-                                    distance(b1, a0, a1))) < kLeastGap;
+  return cross || std::min({squared_distance_to_segment(a0, b0, b1),
+                            squared_distance_to_segment(a1, b0, b1),
+                            squared_distance_to_segment(b0, a0, a1),
+                            squared_distance_to_segment(b1, a0, a1)}) <
+                      kLeastGap * kLeastGap;
 }
 
 bool are_near(const Polyline& a, const Polyline& b) {

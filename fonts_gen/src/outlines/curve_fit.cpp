@@ -33,15 +33,12 @@ constexpr double kGoodEnough = 0.4;
 void set_chords(const Point* points, size_t count, ChordList& chords) {
   chords.resize(count - 1);
   for (size_t i = 0; i + 1 < count; ++i) {
-    const Point d = points[i + 1] - points[i];
-    chords[i] = {points[i], d, dot(d, d)};
+    chords[i] = chord_between(points[i], points[i + 1]);
   }
 }
 
 Point on_quadratic(const Segment& q, double t) {
-  const double s = 1 - t;
-  return {s * s * q.p[0].x + 2 * s * t * q.p[1].x + t * t * q.p[2].x,
-          s * s * q.p[0].y + 2 * s * t * q.p[1].y + t * t * q.p[2].y};
+  return on_quadratic(q.p[0], q.p[1], q.p[2], t);
 }
 
 // Points at equal distances along the samples, without the ends.
@@ -102,11 +99,9 @@ double find_places(const std::vector<Point>& points,
       }
     }
     edge = nearest;
-    const auto& [a, d, size] = polygon[edge];
-    const double t =
-        size > 0 ? std::clamp(dot(points[i] - a, d) / size, 0.0, 1.0) : 0;
-    const Point along = direction(d);
-    places[i].parameter = (static_cast<double>(edge) + t) / kSteps;
+    const Point along = direction(polygon[edge].d);
+    places[i].parameter =
+        (static_cast<double>(edge) + polygon[edge].nearest(points[i])) / kSteps;
     places[i].normal = {-along.y, along.x};
     places[i].distance = std::sqrt(best);
     most = std::max(most, places[i].distance);

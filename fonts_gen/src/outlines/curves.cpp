@@ -60,23 +60,6 @@ void add_turns(const double* v, int degree, std::vector<double>& roots) {
 
 }  // namespace
 
-int degree_of(const Segment& segment) {
-  return segment.kind == Segment::Kind::line        ? 1
-         : segment.kind == Segment::Kind::quadratic ? 2
-                                                    : 3;
-}
-
-const Point& end_of(const Segment& segment) {
-  return segment.p[degree_of(segment)];
-}
-
-Segment line_segment(const Point& a, const Point& b) {
-  Segment segment;
-  segment.p[0] = a;
-  segment.p[1] = b;
-  return segment;
-}
-
 Segment part_of(const Segment& segment, double t0, double t1) {
   if (t0 == 0 && t1 == 1) {
     return segment;

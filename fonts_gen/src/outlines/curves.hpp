@@ -7,13 +7,6 @@
 
 namespace inkcell::gen {
 
-/// 1, 2 or 3.
-int degree_of(const Segment& segment);
-
-const Point& end_of(const Segment& segment);
-
-Segment line_segment(const Point& a, const Point& b);
-
 /// The part between the parameters t0 < t1. Ends at 0 and 1 are exact.
 Segment part_of(const Segment& segment, double t0, double t1);
 

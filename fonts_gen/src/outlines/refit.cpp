@@ -143,23 +143,20 @@ Fingerprint fingerprint(const Contour& contour, const RefitOptions& options) {
   print.add(uint64_t{static_cast<unsigned>(options.units_per_em)});
   print.add(static_cast<double>(options.grid_shift));
   print.add(options.tolerance_u);
-  Box reach{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  Box box = kNoBox;
   for (const Segment& segment : contour.segments) {
     print.add(static_cast<uint64_t>(segment.kind));
     for (int i = 0; i <= degree_of(segment); ++i) {
       const Point& p = segment.p[i];
       print.add(p);
-      reach = {std::min(reach.x0, p.x - kCareRadius_u),
-               std::min(reach.y0, p.y - kCareRadius_u),
-               std::max(reach.x1, p.x + kCareRadius_u),
-               std::max(reach.y1, p.y + kCareRadius_u)};
+      box.add(p);
     }
   }
   for (const auto* places : {&options.careful_u, &options.exact_u}) {
     print.add(uint64_t{places == &options.exact_u});
     for (const Point& p : *places) {
-      if (p.x >= reach.x0 && p.x <= reach.x1 && p.y >= reach.y0 &&
-          p.y <= reach.y1) {
+      if (p.x >= box.x0 - kCareRadius_u && p.x <= box.x1 + kCareRadius_u &&
+          p.y >= box.y0 - kCareRadius_u && p.y <= box.y1 + kCareRadius_u) {
         print.add(p);
       }
     }

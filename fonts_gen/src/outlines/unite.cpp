@@ -59,11 +59,10 @@ struct Projection {
 
 // The nearest place to `p` on a chord.
 Projection project(const Source& source, size_t chord, const Point& p) {
-  const Point& a = source.chords[chord];
-  const Point d = source.chords[chord + 1] - a;
-  const double size = dot(d, d);
-  const double t = size > 0 ? std::clamp(dot(p - a, d) / size, 0.0, 1.0) : 0.0;
-  return {static_cast<double>(chord) + t, length(p - a - t * d)};
+  const Chord line =
+      chord_between(source.chords[chord], source.chords[chord + 1]);
+  return {static_cast<double>(chord) + line.nearest(p),
+          std::sqrt(line.squared_distance(p))};
 }
 
 // Moves `at` along the chords, forward or back by about `reach` at most, to the

@@ -84,20 +84,15 @@ void build_outline(const Outline& source,
 double largest_side(const SourceFont& font) {
   double largest = 0;
   for (const SourceGlyph& glyph : font.glyphs) {
-    Point low = {HUGE_VAL, HUGE_VAL};
-    Point high = {-HUGE_VAL, -HUGE_VAL};
+    Box box = kNoBox;
     for (const Contour& contour : glyph.outline.contours) {
       for (const Segment& segment : contour.segments) {
-        const size_t last = 1 + static_cast<size_t>(segment.kind);
-        for (size_t i = 0; i <= last; ++i) {
-          low = {std::min(low.x, segment.p[i].x),
-                 std::min(low.y, segment.p[i].y)};
-          high = {std::max(high.x, segment.p[i].x),
-                  std::max(high.y, segment.p[i].y)};
+        for (int i = 0; i <= degree_of(segment); ++i) {
+          box.add(segment.p[i]);
         }
       }
     }
-    largest = std::max({largest, high.x - low.x, high.y - low.y});
+    largest = std::max({largest, box.x1 - box.x0, box.y1 - box.y0});
   }
   return largest;
 }
@@ -114,7 +109,7 @@ bool is_on_units(const SourceFont& font) {
   for (const SourceGlyph& glyph : font.glyphs) {
     for (const Contour& contour : glyph.outline.contours) {
       for (const Segment& segment : contour.segments) {
-        const Point& end = segment.p[1 + static_cast<size_t>(segment.kind)];
+        const Point& end = end_of(segment);
         on += is_whole(end.x * halves) && is_whole(end.y * halves) ? 1u : 0u;
         ++all;
       }

@@ -197,8 +197,7 @@ BuiltGlyphs::Key BuiltGlyphs::key_of(const Outline& outline) {
     key.push_back(static_cast<double>(contour.segments.size()));
     for (const Segment& segment : contour.segments) {
       key.push_back(static_cast<double>(segment.kind));
-      const size_t last = 1 + static_cast<size_t>(segment.kind);
-      for (size_t i = 0; i <= last; ++i) {
+      for (int i = 0; i <= degree_of(segment); ++i) {
         key.push_back(segment.p[i].x);
         key.push_back(segment.p[i].y);
       }

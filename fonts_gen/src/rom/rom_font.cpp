@@ -246,21 +246,6 @@ void set_metrics(Bytes& out, const RomContent& content) {
   set_i16(out, header::kYMax, box.y_max);
 }
 
-// What a reader may want to know before it meets a glyph.
-struct Extent {
-  size_t cells = 0;
-  size_t nodes = 0;
-  size_t depth = 0;
-};
-
-Extent extent_of(const RomGlyph& glyph) {
-  Extent extent;
-  extent.cells = glyph.field.cells.size();
-  extent.nodes = static_cast<size_t>(glyph.field.node_count());
-  extent.depth = static_cast<size_t>(glyph.field.depth);
-  return extent;
-}
-
 void set_range(Bytes& out, const RomContent& content) {
   const Target& options = content.options;
   const bool fixed = options.predicate == Predicate::fixed;
@@ -273,16 +258,19 @@ void set_range(Bytes& out, const RomContent& content) {
       fixed ? format::Predicate::fixed : format::Predicate::size_aware);
   set_u16(out, header::kBand,
           static_cast<unsigned>(std::floor(band_u(options))));
-  Extent most;
+  // What a reader may want to know before it meets a glyph.
+  unsigned cells = 0;
+  unsigned nodes = 0;
+  unsigned depth = 0;
   for (const RomGlyph& glyph : content.glyphs) {
-    const Extent extent = extent_of(glyph);
-    most.cells = std::max(most.cells, extent.cells);
-    most.nodes = std::max(most.nodes, extent.nodes);
-    most.depth = std::max(most.depth, extent.depth);
+    const auto& field = glyph.field;
+    cells = std::max(cells, static_cast<unsigned>(field.cells.size()));
+    nodes = std::max(nodes, static_cast<unsigned>(field.node_count()));
+    depth = std::max(depth, static_cast<unsigned>(field.depth));
   }
-  set_u16(out, header::kMaxCells, static_cast<unsigned>(most.cells));
-  set_u16(out, header::kMaxNodes, static_cast<unsigned>(most.nodes));
-  out[header::kMaxDepth] = static_cast<uint8_t>(most.depth);
+  set_u16(out, header::kMaxCells, cells);
+  set_u16(out, header::kMaxNodes, nodes);
+  out[header::kMaxDepth] = static_cast<uint8_t>(depth);
   const OutlineCoding& outlines = content.outlines;
   out[header::kGridShift] = static_cast<uint8_t>(outlines.grid_shift);
   out[header::kCodeBits] = static_cast<uint8_t>(outlines.code_bits);

@@ -24,4 +24,20 @@ inline Point from_clipper(const ClipperLib::IntPoint& p) {
           static_cast<double>(p.Y) / kClipperUnits_per_u};
 }
 
+/// The result of an operation. Throws GeometryError with `failure`.
+inline ClipperLib::Paths executed(ClipperLib::Clipper& clipper,
+                                  ClipperLib::ClipType operation,
+                                  const char* failure) {
+  ClipperLib::Paths paths;
+  try {
+    if (clipper.Execute(operation, paths, ClipperLib::pftNonZero,
+                        ClipperLib::pftNonZero)) {
+      return paths;
+    }
+  } catch (const ClipperLib::clipperException&) {
+    // Refused below, as the other failures.
+  }
+  throw GeometryError(GeometryError::Kind::not_united, failure);
+}
+
 }  // namespace inkcell::gen

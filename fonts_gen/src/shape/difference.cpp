@@ -27,22 +27,12 @@ void add_border(const Shape& shape,
 
 std::vector<std::vector<Point>> difference(const Shape& a, const Shape& b) {
   ClipperLib::Clipper clipper;
-  ClipperLib::Paths paths;
   add_border(a, ClipperLib::ptSubject, clipper);
   add_border(b, ClipperLib::ptClip, clipper);
-  bool done = false;
-  try {
-    done = clipper.Execute(ClipperLib::ctDifference, paths,
-                           ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  } catch (const ClipperLib::clipperException&) {
-    done = false;
-  }
-  if (!done) {
-    throw GeometryError(GeometryError::Kind::not_united,
-                        "two areas could not be compared");
-  }
   std::vector<std::vector<Point>> polygons;
-  for (const ClipperLib::Path& path : paths) {
+  for (const ClipperLib::Path& path :
+       executed(clipper, ClipperLib::ctDifference,
+                "two areas could not be compared")) {
     polygons.emplace_back();
     for (const ClipperLib::IntPoint& p : path) {
       polygons.back().push_back(from_clipper(p));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/points.hpp"
+
 namespace inkcell::gen {
 namespace {
 
@@ -25,24 +27,12 @@ double second_derivative_bound(const Segment& segment) {
   return 0;
 }
 
-int degree(const Segment& segment) {
-  switch (segment.kind) {
-    case Segment::Kind::quadratic:
-      return 2;
-    case Segment::Kind::cubic:
-      return 3;
-    case Segment::Kind::line:
-      break;
-  }
-  return 1;
-}
-
 Point between(const Point& a, const Point& b, double t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
 }
 
 void check(const Segment& segment) {
-  for (int i = 0; i <= degree(segment); ++i) {
+  for (int i = 0; i <= degree_of(segment); ++i) {
     const Point& p = segment.p[i];
     // Written so that a NaN fails.
     if (!(std::fabs(p.x) <= kCoordinateLimit &&
@@ -57,7 +47,7 @@ void check(const Segment& segment) {
 }
 
 void append(const Point& p, std::vector<Point>& polygon) {
-  if (polygon.empty() || polygon.back().x != p.x || polygon.back().y != p.y) {
+  if (polygon.empty() || !(polygon.back() == p)) {
     polygon.push_back(p);
   }
 }
@@ -74,7 +64,7 @@ int chord_count(const Segment& segment, double bound) {
 Point point_on(const Segment& segment, double t) {
   Point p[4];
   std::copy(std::begin(segment.p), std::end(segment.p), p);
-  for (int left = degree(segment); left > 0; --left) {
+  for (int left = degree_of(segment); left > 0; --left) {
     for (int i = 0; i < left; ++i) {
       p[i] = between(p[i], p[i + 1], t);
     }
@@ -91,10 +81,9 @@ std::vector<Point> flatten(const Contour& contour, double bound) {
     for (int i = 1; i < chords; ++i) {
       append(point_on(segment, static_cast<double>(i) / chords), polygon);
     }
-    append(segment.p[degree(segment)], polygon);
+    append(end_of(segment), polygon);
   }
-  while (polygon.size() > 1 && polygon.front().x == polygon.back().x &&
-         polygon.front().y == polygon.back().y) {
+  while (polygon.size() > 1 && polygon.front() == polygon.back()) {
     polygon.pop_back();
   }
   return polygon;

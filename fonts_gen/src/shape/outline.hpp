@@ -1,6 +1,7 @@
 // Outlines of glyphs as a font describes them, before encoding.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,6 +26,19 @@ struct Segment {
   Point p[4];
 };
 
+/// 1, 2 or 3.
+inline int degree_of(const Segment& segment) {
+  return static_cast<int>(segment.kind) + 1;
+}
+
+inline const Point& end_of(const Segment& segment) {
+  return segment.p[degree_of(segment)];
+}
+
+inline Segment line_segment(const Point& a, const Point& b) {
+  return {Segment::Kind::line, {a, b}};
+}
+
 /// A closed curve. Each segment begins at the end of the one before. If the
 /// last does not end at the start of the first, a line closes the contour.
 struct Contour {
@@ -35,6 +49,18 @@ struct Contour {
 struct Outline {
   std::vector<Contour> contours;
 };
+
+/// Whether two outlines have contours of the same numbers of segments, and
+/// `alike` holds for each pair of segments.
+template <typename Alike>
+bool correspond(const Outline& a, const Outline& b, Alike alike) {
+  return std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(),
+                    b.contours.end(), [&](const Contour& s, const Contour& t) {
+                      return std::equal(s.segments.begin(), s.segments.end(),
+                                        t.segments.begin(), t.segments.end(),
+                                        alike);
+                    });
+}
 
 /// Outlines that geometry cannot process.
 class GeometryError : public std::runtime_error {

@@ -1,6 +1,7 @@
 // Arithmetic of points and vectors.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -58,20 +59,37 @@ struct Chord {
   Point d;
   double size = 0;  // |d|^2
 
+  Point at(double t) const { return a + t * d; }
+
+  /// The t of the point that is nearest to `p`.
+  double nearest(const Point& p) const {
+    return size > 0 ? std::clamp(dot(p - a, d) / size, 0.0, 1.0) : 0;
+  }
+
   double squared_distance(const Point& p) const {
-    const Point r = p - a;
-    double t = size > 0 ? dot(r, d) / size : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    const Point e = r - t * d;
+    const Point e = p - a - nearest(p) * d;
     return dot(e, e);
   }
 };
 
+inline Chord chord_between(const Point& a, const Point& b) {
+  const Point d = b - a;
+  return {a, d, dot(d, d)};
+}
+
+/// The point at `t` of the quadratic from `a` to `b`, by its polynomial.
+inline Point on_quadratic(const Point& a,
+                          const Point& control,
+                          const Point& b,
+                          double t) {
+  const double s = 1 - t;
+  return (s * s) * a + (2 * s * t) * control + (t * t) * b;
+}
+
 inline double squared_distance_to_segment(const Point& p,
                                           const Point& a,
                                           const Point& b) {
-  const Point d = b - a;
-  return Chord{a, d, dot(d, d)}.squared_distance(p);
+  return chord_between(a, b).squared_distance(p);
 }
 
 }  // namespace inkcell::gen

@@ -6,7 +6,6 @@
 
 #include "shape/clipper_units.hpp"
 #include "shape/flatten.hpp"
-#include "shape/points.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -45,19 +44,8 @@ ClipperLib::Paths unite(const Outline& outline) {
   if (!any) {
     return {};  // Execute would report failure
   }
-  ClipperLib::Paths united;
-  bool done = false;
-  try {
-    done = clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero,
-                           ClipperLib::pftNonZero);
-  } catch (const ClipperLib::clipperException&) {
-    done = false;
-  }
-  if (!done) {
-    throw GeometryError(GeometryError::Kind::not_united,
-                        "the contours could not be united");
-  }
-  return united;
+  return executed(clipper, ClipperLib::ctUnion,
+                  "the contours could not be united");
 }
 
 // The mean width is that of a narrow rectangle with the same border.
@@ -73,14 +61,10 @@ bool is_sliver(const ClipperLib::Path& path) {
 }
 
 Box box_of(const std::vector<Edge>& edges, size_t first, size_t count) {
-  Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  Box box = kNoBox;
   for (size_t i = first; i < first + count; ++i) {
-    for (const Point& p : {edges[i].a, edges[i].b}) {
-      box.x0 = std::min(box.x0, p.x);
-      box.y0 = std::min(box.y0, p.y);
-      box.x1 = std::max(box.x1, p.x);
-      box.y1 = std::max(box.y1, p.y);
-    }
+    box.add(edges[i].a);
+    box.add(edges[i].b);
   }
   return box;
 }
@@ -106,6 +90,16 @@ double crossing(const Edge& edge, double y) {
 }
 
 }  // namespace
+
+Box box_of(const std::vector<std::vector<Point>>& lines) {
+  Box box = kNoBox;
+  for (const std::vector<Point>& line : lines) {
+    for (const Point& p : line) {
+      box.add(p);
+    }
+  }
+  return box;
+}
 
 Shape::Shape(const Outline& outline) {
   for (const ClipperLib::Path& path : unite(outline)) {

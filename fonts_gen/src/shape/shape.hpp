@@ -1,11 +1,13 @@
 // The filled area of a glyph and the exact signed distance to its border.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "shape/outline.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::gen {
 
@@ -15,7 +17,20 @@ struct Box {
   double y0 = 0;
   double x1 = 0;
   double y1 = 0;
+
+  /// Grows to hold a point.
+  void add(const Point& p) {
+    x0 = std::min(x0, p.x);
+    y0 = std::min(y0, p.y);
+    x1 = std::max(x1, p.x);
+    y1 = std::max(y1, p.y);
+  }
 };
+
+/// The box of no points.
+inline constexpr Box kNoBox = {kInfinity, kInfinity, -kInfinity, -kInfinity};
+
+Box box_of(const std::vector<std::vector<Point>>& lines);
 
 /// A straight piece of the border. The filled side is on its left.
 struct Edge {

@@ -112,6 +112,16 @@ void warn_of_faces(const FontFile& file, Warnings& warnings) {
 // Indices of glyphs in the font, by their ids in the file.
 using KnownGlyphs = std::map<uint32_t, size_t>;
 
+// The glyph of an id, which is added if it is new.
+SourceGlyph& glyph_from(uint32_t source, KnownGlyphs& known, SourceFont& font) {
+  const auto [found, is_new] = known.emplace(source, font.glyphs.size());
+  if (is_new) {
+    font.glyphs.emplace_back();
+    font.glyphs.back().source = source;
+  }
+  return font.glyphs[found->second];
+}
+
 // Adds the glyphs of all characters; missing ones go to font.missing.
 void add_characters(const FontFile& file,
                     const CharSet& characters,
@@ -125,12 +135,7 @@ void add_characters(const FontFile& file,
       }
       continue;
     }
-    const auto [found, is_new] = known.emplace(source, font.glyphs.size());
-    if (is_new) {
-      font.glyphs.emplace_back();
-      font.glyphs.back().source = source;
-    }
-    font.glyphs[found->second].code_points.push_back(c);
+    glyph_from(source, known, font).code_points.push_back(c);
   }
 }
 
@@ -148,12 +153,7 @@ void add_lines(const FontFile& file,
   }
   add_characters(file, characters, known, font);
   for (const uint32_t source : lines.glyphs) {
-    const auto [found, is_new] = known.emplace(source, font.glyphs.size());
-    if (is_new) {
-      font.glyphs.emplace_back();
-      font.glyphs.back().source = source;
-    }
-    font.glyphs[found->second].is_of_line = true;
+    glyph_from(source, known, font).is_of_line = true;
   }
 }
 

@@ -3,7 +3,6 @@
 #include <hb-ot.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -240,12 +239,6 @@ bool runs_left_to_right(hb_script_t script) {
   return hb_script_get_horizontal_direction(script) != HB_DIRECTION_RTL;
 }
 
-int16_t clamp_i16(int value) {
-  return static_cast<int16_t>(
-      std::clamp<int>(value, std::numeric_limits<int16_t>::min(),
-                      std::numeric_limits<int16_t>::max()));
-}
-
 // Reads the row of a left glyph, all columns.
 class RowReader {
  public:
@@ -270,7 +263,8 @@ class RowReader {
       shaper(common ? script : glyph.script)
           .kern(glyph.source, column.sources, kerns);
       for (size_t i = 0; i < kerns.size(); ++i) {
-        row[column.glyphs[i]] = clamp_i16(kerns[i]);
+        row[column.glyphs[i]] =
+            static_cast<int16_t>(std::clamp(kerns[i], -32768, 32767));
       }
     }
     return row;

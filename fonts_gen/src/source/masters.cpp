@@ -9,18 +9,8 @@
 namespace inkcell::gen {
 namespace {
 
-// Outlines with the same segments.
-bool equal_points(const Outline& a, const Outline& b) {
-  return std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(),
-                    b.contours.end(), [](const Contour& s, const Contour& t) {
-                      return std::equal(s.segments.begin(), s.segments.end(),
-                                        t.segments.begin(), t.segments.end(),
-                                        [](const Segment& u, const Segment& v) {
-                                          return std::equal(std::begin(u.p),
-                                                            std::end(u.p),
-                                                            std::begin(v.p));
-                                        });
-                    });
+bool equal_points(const Segment& a, const Segment& b) {
+  return std::equal(std::begin(a.p), std::end(a.p), std::begin(b.p));
 }
 
 }  // namespace
@@ -45,7 +35,7 @@ void add_masters(const FontRequest& request,
     second.master = plain.name() + place;
     read_glyph(file, second, warnings);
     if (second.advance != plain.advance ||
-        !equal_points(second.outline, plain.outline)) {
+        !correspond(second.outline, plain.outline, equal_points)) {
       font.glyphs.push_back(std::move(second));
     }
   }

@@ -259,20 +259,20 @@ Outline contours_of(const SvgPath& path) {
     Contour contour;
     const Point first = subpath.segments.front().p[0];
     Point pen = first;
-    const auto add = [&](const Segment& segment, int degree) {
+    const auto add = [&](const Segment& segment) {
       bool moves = false;
-      for (int i = 1; i <= degree; ++i) {
+      for (int i = 1; i <= degree_of(segment); ++i) {
         moves |= !(segment.p[i] == segment.p[0]);
       }
       if (moves) {
         contour.segments.push_back(segment);
-        pen = segment.p[degree];
+        pen = end_of(segment);
       }
     };
     for (const Segment& segment : subpath.segments) {
-      add(segment, static_cast<int>(segment.kind) + 1);
+      add(segment);
     }
-    add({Segment::Kind::line, {pen, first}}, 1);
+    add(line_segment(pen, first));
     if (!contour.segments.empty()) {
       outline.contours.push_back(std::move(contour));
     }

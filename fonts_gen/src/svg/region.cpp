@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <polyclipping/clipper.hpp>
 
+#include "shape/clipper_units.hpp"
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-// As in Shape: below 2^30 Clipper needs no products of 128 bits.
-constexpr double kClipperUnits_per_u = 65536;
-static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
-              "outlines must stay in Clipper's fast range");
 
 // Areas that differ by less are equal. [u^2]
 constexpr double kSameArea = 0.05;
@@ -32,8 +27,7 @@ ClipperLib::Path to_clipper(const Corners& polygon) {
       throw GeometryError(GeometryError::Kind::bad_coordinates,
                           "a stroke reaches too far from the origin");
     }
-    path.emplace_back(std::llround(p.x * kClipperUnits_per_u),
-                      std::llround(p.y * kClipperUnits_per_u));
+    path.push_back(to_clipper(p));
   }
   return path;
 }
@@ -85,13 +79,8 @@ Outline outline_of(const ClipperLib::Paths& paths) {
     }
     Contour contour;
     for (size_t i = 0; i < path.size(); ++i) {
-      const auto point = [&](const ClipperLib::IntPoint& p) {
-        return Point{static_cast<double>(p.X) / kClipperUnits_per_u,
-                     static_cast<double>(p.Y) / kClipperUnits_per_u};
-      };
-      contour.segments.push_back(
-          {Segment::Kind::line,
-           {point(path[i]), point(path[(i + 1) % path.size()])}});
+      contour.segments.push_back(line_segment(
+          from_clipper(path[i]), from_clipper(path[(i + 1) % path.size()])));
     }
     outline.contours.push_back(std::move(contour));
   }
@@ -101,7 +90,7 @@ Outline outline_of(const ClipperLib::Paths& paths) {
 void reverse(Contour& contour) {
   std::reverse(contour.segments.begin(), contour.segments.end());
   for (Segment& segment : contour.segments) {
-    std::reverse(segment.p, segment.p + static_cast<int>(segment.kind) + 2);
+    std::reverse(segment.p, segment.p + degree_of(segment) + 1);
   }
 }
 

@@ -33,7 +33,7 @@ std::vector<Chord> chords_of(const Subpath& subpath, double bound) {
   Point pen = subpath.segments.front().p[0];
   for (const Segment& segment : subpath.segments) {
     const int count = chord_count(segment, bound);
-    const Point end = segment.p[static_cast<int>(segment.kind) + 1];
+    const Point end = end_of(segment);
     bool begins_piece = true;
     for (int i = 1; i <= count; ++i) {
       const Point next =

@@ -27,18 +27,6 @@ struct Piece {
   Point along_at_end;
 };
 
-int degree(const Segment& segment) {
-  return static_cast<int>(segment.kind) + 1;
-}
-
-const Point& end_of(const Segment& segment) {
-  return segment.p[degree(segment)];
-}
-
-Segment line(const Point& a, const Point& b) {
-  return {Segment::Kind::line, {a, b}};
-}
-
 // The same curve as a cubic; lines stay lines.
 Segment raised(const Segment& segment) {
   if (segment.kind != Segment::Kind::quadratic) {
@@ -52,7 +40,7 @@ Segment raised(const Segment& segment) {
 
 void add_piece(const Segment& segment, std::vector<Piece>& pieces) {
   const Segment curve = raised(segment);
-  const int last = degree(curve);
+  const int last = degree_of(curve);
   Piece piece{curve, {}, {}};
   for (int i = last; i > 0; --i) {
     const Point along = direction(curve.p[i] - curve.p[0]);
@@ -73,9 +61,9 @@ std::vector<Piece> pieces_of(const Subpath& subpath) {
     add_piece(segment, pieces);
   }
   if (subpath.is_closed) {
-    add_piece(
-        line(end_of(subpath.segments.back()), subpath.segments.front().p[0]),
-        pieces);
+    add_piece(line_segment(end_of(subpath.segments.back()),
+                           subpath.segments.front().p[0]),
+              pieces);
   }
   return pieces;
 }
@@ -83,7 +71,7 @@ std::vector<Piece> pieces_of(const Subpath& subpath) {
 std::vector<Piece> backwards(std::vector<Piece> pieces) {
   std::reverse(pieces.begin(), pieces.end());
   for (Piece& piece : pieces) {
-    std::reverse(piece.curve.p, piece.curve.p + degree(piece.curve) + 1);
+    std::reverse(piece.curve.p, piece.curve.p + degree_of(piece.curve) + 1);
     std::swap(piece.along_at_start, piece.along_at_end);
     piece.along_at_start = -1.0 * piece.along_at_start;
     piece.along_at_end = -1.0 * piece.along_at_end;
@@ -182,12 +170,12 @@ class OutlinePen {
     if (!contour_.segments.empty()) {
       segment.p[0] = end_of(contour_.segments.back());
     }
-    if (degree(segment) > 1 || !(segment.p[0] == segment.p[1])) {
+    if (degree_of(segment) > 1 || !(segment.p[0] == segment.p[1])) {
       contour_.segments.push_back(segment);
     }
   }
 
-  void line_to(const Point& p) { add(line(p, p)); }
+  void line_to(const Point& p) { add(line_segment(p, p)); }
 
   void end_contour() {
     outline_.contours.push_back(std::exchange(contour_, {}));
@@ -202,7 +190,7 @@ class OutlinePen {
       const Piece& piece = pieces[i];
       if (piece.curve.kind == Segment::Kind::line) {
         const Point off = half_ * right_of(piece.along_at_start);
-        add(line(piece.curve.p[0] + off, piece.curve.p[1] + off));
+        add(line_segment(piece.curve.p[0] + off, piece.curve.p[1] + off));
       } else if (!add_border(Border(piece, half_), 0, 1, kMostHalvings)) {
         return false;
       }
