@@ -6,7 +6,6 @@
 #include "word.hpp"
 
 namespace inkcell::port {
-
 namespace {
 
 using detail::Run;
@@ -45,18 +44,10 @@ inline void store(uint8_t* at, uint32_t word) noexcept {
   }
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
-  Run run{x, y, count, 0};
-  if (!detail::clip(strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
-  uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
+void cover(const detail::A8Pixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
+  uint8_t* pixel = detail::row_at(pixels.strip, run.y) + run.x;
   uint8_t* const end = pixel + run.count;
   // Most pixels are drawn onto empty ones.
   if (detail::kAnyAddress || lie_alike(pixel, coverage)) {
@@ -73,6 +64,8 @@ void coverage(void* context,
     put(*pixel++, *coverage++);
   }
 }
+
+constexpr auto kCoverage = detail::coverage_of<detail::A8Pixels, cover>;
 
 // Masks of a word's bytes from `first` (0 to 3) on, and up to `last`.
 inline uint32_t bytes_from(uint32_t first) noexcept {
@@ -150,7 +143,7 @@ void block(void* context, const CoverageBlock& given) noexcept {
     return;
   }
   for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    coverage(context, pixels.x0, y, from, pixels.x1 - pixels.x0);
+    kCoverage(context, pixels.x0, y, from, pixels.x1 - pixels.x0);
     from += block.stride;
   }
 }
@@ -252,19 +245,15 @@ bool ramp(void* context, const CoverageBlock& block) noexcept {
   return true;
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
-  Run run{x, y, count, 0};
-  if (detail::clip(strip, run)) {
-    __builtin_memset(detail::row_at(strip, run.y) + run.x, 255,
-                     static_cast<size_t>(run.count));
-  }
+void fill_run(const detail::A8Pixels& pixels, const Run& run) noexcept {
+  __builtin_memset(detail::row_at(pixels.strip, run.y) + run.x, 255,
+                   static_cast<size_t>(run.count));
 }
 
 }  // namespace
 
-const detail::SinkKind detail::A8Pixels::kKind = {coverage, solid, block,
-                                                  kHasRamp ? ramp : nullptr,
-                                                  layout_of(PixelFormat::a8)};
+const detail::SinkKind detail::A8Pixels::kKind = {
+    kCoverage, detail::solid_of<detail::A8Pixels, fill_run>, block,
+    kHasRamp ? ramp : nullptr, layout_of(PixelFormat::a8)};
 
 }  // namespace inkcell::port

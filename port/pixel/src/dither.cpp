@@ -38,17 +38,9 @@ Bit bit_of(const detail::MonoPagesPixels& pixels,
 }
 
 template <typename Pixels>
-void mono(void* context,
-          int32_t x,
-          int32_t y,
-          const uint8_t* coverage,
-          int32_t count) noexcept {
-  const auto& pixels = *static_cast<const Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void mono(const Pixels& pixels,
+          const Run& run,
+          const uint8_t* coverage) noexcept {
   const Strip& strip = pixels.strip;
   for (int32_t i = 0; i < run.count; ++i) {
     const int32_t c = coverage[i];
@@ -64,17 +56,9 @@ void mono(void* context,
 }
 
 template <typename Pixels, uint32_t kBitsLog2>
-void grey(void* context,
-          int32_t x,
-          int32_t y,
-          const uint8_t* coverage,
-          int32_t count) noexcept {
-  const auto& pixels = *static_cast<const Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void grey(const Pixels& pixels,
+          const Run& run,
+          const uint8_t* coverage) noexcept {
   const Strip& strip = pixels.strip;
   uint8_t* const row = detail::row_at(strip, run.y);
   constexpr uint32_t kMask = (1u << (1u << kBitsLog2)) - 1;
@@ -101,19 +85,19 @@ void grey(void* context,
 namespace detail {
 
 void set_dither(const MonoRowsPixels&, Sink& sink) noexcept {
-  sink.coverage = mono<MonoRowsPixels>;
+  sink.coverage = coverage_of<MonoRowsPixels, mono<MonoRowsPixels>>;
 }
 
 void set_dither(const MonoPagesPixels&, Sink& sink) noexcept {
-  sink.coverage = mono<MonoPagesPixels>;
+  sink.coverage = coverage_of<MonoPagesPixels, mono<MonoPagesPixels>>;
 }
 
 void set_dither(const Grey2Pixels&, Sink& sink) noexcept {
-  sink.coverage = grey<Grey2Pixels, 1>;
+  sink.coverage = coverage_of<Grey2Pixels, grey<Grey2Pixels, 1>>;
 }
 
 void set_dither(const Grey4Pixels&, Sink& sink) noexcept {
-  sink.coverage = grey<Grey4Pixels, 2>;
+  sink.coverage = coverage_of<Grey4Pixels, grey<Grey4Pixels, 2>>;
 }
 
 }  // namespace detail

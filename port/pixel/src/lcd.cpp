@@ -8,17 +8,9 @@ namespace {
 
 using detail::Run;
 
-void coverage_565(void* context,
-                  int32_t x,
-                  int32_t y,
-                  const uint8_t* coverage,
-                  int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += 3 * run.skipped;
+void cover_565(const detail::Rgb565Pixels& pixels,
+               const Run& run,
+               const uint8_t* coverage) noexcept {
   const uint32_t red = pixels.colour >> 11;
   const uint32_t green = pixels.colour >> 5 & 0x3f;
   const uint32_t blue = pixels.colour & 0x1f;
@@ -41,12 +33,8 @@ template <int kBytes>
 void blend_bytes(const Strip& strip,
                  uint32_t colour,
                  bool red_first,
-                 Run run,
+                 const Run& run,
                  const uint8_t* coverage) noexcept {
-  if (!detail::clip(strip, run)) {
-    return;
-  }
-  coverage += 3 * run.skipped;
   const uint32_t red = colour >> 16 & 0xff;
   const uint32_t green = colour >> 8 & 0xff;
   const uint32_t blue = colour & 0xff;
@@ -66,25 +54,17 @@ void blend_bytes(const Strip& strip,
   }
 }
 
-void coverage_888(void* context,
-                  int32_t x,
-                  int32_t y,
-                  const uint8_t* coverage,
-                  int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
+void cover_888(const detail::Rgb888Pixels& pixels,
+               const Run& run,
+               const uint8_t* coverage) noexcept {
   blend_bytes<3>(pixels.strip, pixels.colour,
-                 pixels.order == ChannelOrder::red_first, {x, y, count, 0},
-                 coverage);
+                 pixels.order == ChannelOrder::red_first, run, coverage);
 }
 
-void coverage_8888(void* context,
-                   int32_t x,
-                   int32_t y,
-                   const uint8_t* coverage,
-                   int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
-  blend_bytes<4>(pixels.strip, pixels.colour, false, {x, y, count, 0},
-                 coverage);
+void cover_8888(const detail::Xrgb8888Pixels& pixels,
+                const Run& run,
+                const uint8_t* coverage) noexcept {
+  blend_bytes<4>(pixels.strip, pixels.colour, false, run, coverage);
 }
 
 }  // namespace
@@ -92,15 +72,15 @@ void coverage_8888(void* context,
 namespace detail {
 
 void set_sub_pixels(const Rgb565Pixels&, Sink& sink) noexcept {
-  sink.coverage_rgb = coverage_565;
+  sink.coverage_rgb = coverage_of<Rgb565Pixels, cover_565, 3>;
 }
 
 void set_sub_pixels(const Rgb888Pixels&, Sink& sink) noexcept {
-  sink.coverage_rgb = coverage_888;
+  sink.coverage_rgb = coverage_of<Rgb888Pixels, cover_888, 3>;
 }
 
 void set_sub_pixels(const Xrgb8888Pixels&, Sink& sink) noexcept {
-  sink.coverage_rgb = coverage_8888;
+  sink.coverage_rgb = coverage_of<Xrgb8888Pixels, cover_8888, 3>;
 }
 
 }  // namespace detail

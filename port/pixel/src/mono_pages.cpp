@@ -29,17 +29,9 @@ uint32_t drawn_bit(const detail::MonoPagesPixels& pixels,
   return pixels.level != 0 ? bit : 0;
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::MonoPagesPixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void cover(const detail::MonoPagesPixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
   uint8_t* byte = first_byte(pixels.strip, run);
   const uint32_t bit = row_bit(run);
   const uint32_t drawn = drawn_bit(pixels, bit);
@@ -51,12 +43,7 @@ void coverage(void* context,
   }
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::MonoPagesPixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
+void fill_run(const detail::MonoPagesPixels& pixels, const Run& run) noexcept {
   uint8_t* byte = first_byte(pixels.strip, run);
   uint8_t* const end = byte + run.count;
   const uint32_t bit = row_bit(run);
@@ -80,8 +67,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::MonoPagesPixels::kKind = {
-    coverage,
-    solid,
+    detail::coverage_of<detail::MonoPagesPixels, cover>,
+    detail::solid_of<detail::MonoPagesPixels, fill_run>,
     nullptr,
     nullptr,
     layout_of(PixelFormat::mono_pages),

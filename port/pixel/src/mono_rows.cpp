@@ -57,17 +57,9 @@ void put(uint8_t* row,
   }
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::MonoRowsPixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void cover(const detail::MonoRowsPixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
   uint8_t* const row = detail::row_at(pixels.strip, run.y);
   auto column = static_cast<uint32_t>(run.x);
   const uint32_t end = column + static_cast<uint32_t>(run.count);
@@ -81,22 +73,18 @@ void coverage(void* context,
   }
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::MonoRowsPixels*>(context);
-  Run run{x, y, count, 0};
-  if (detail::clip(pixels.strip, run)) {
-    detail::fill_packed(detail::row_at(pixels.strip, run.y),
-                        static_cast<uint32_t>(run.x),
-                        static_cast<uint32_t>(run.count), 0,
-                        pixels.level != 0 ? 0xff : 0, pixels.order);
-  }
+void fill_run(const detail::MonoRowsPixels& pixels, const Run& run) noexcept {
+  detail::fill_packed(detail::row_at(pixels.strip, run.y),
+                      static_cast<uint32_t>(run.x),
+                      static_cast<uint32_t>(run.count), 0,
+                      pixels.level != 0 ? 0xff : 0, pixels.order);
 }
 
 }  // namespace
 
 const detail::SinkKind detail::MonoRowsPixels::kKind = {
-    coverage,
-    solid,
+    detail::coverage_of<detail::MonoRowsPixels, cover>,
+    detail::solid_of<detail::MonoRowsPixels, fill_run>,
     nullptr,
     nullptr,
     layout_of(PixelFormat::mono_rows),

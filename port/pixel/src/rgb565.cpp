@@ -5,7 +5,6 @@
 #include "word.hpp"
 
 namespace inkcell::port {
-
 namespace {
 
 using detail::Run;
@@ -152,17 +151,9 @@ void block(void* context, const CoverageBlock& given) noexcept {
   }
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void cover(const detail::Rgb565Pixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
   const uint32_t colour = spread(pixels.colour);
   uint8_t* const pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   if (are_halves(pixels, pixel)) {
@@ -200,12 +191,7 @@ void fill(uint8_t* pixel, uint8_t* end, uint16_t colour) noexcept {
   }
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
+void fill_run(const detail::Rgb565Pixels& pixels, const Run& run) noexcept {
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 2 * run.x;
   fill(pixel, pixel + 2 * run.count,
        pixels.strip.order == ByteOrder::low_first
@@ -216,6 +202,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::Rgb565Pixels::kKind = {
-    coverage, solid, block, nullptr, layout_of(PixelFormat::rgb565)};
+    detail::coverage_of<detail::Rgb565Pixels, cover>,
+    detail::solid_of<detail::Rgb565Pixels, fill_run>, block, nullptr,
+    layout_of(PixelFormat::rgb565)};
 
 }  // namespace inkcell::port

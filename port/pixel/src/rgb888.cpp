@@ -4,7 +4,6 @@
 #include "run.hpp"
 
 namespace inkcell::port {
-
 namespace {
 
 using detail::Run;
@@ -24,17 +23,9 @@ Bytes bytes_of(const detail::Rgb888Pixels& pixels) noexcept {
   return {{blue, green, red}};
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void cover(const detail::Rgb888Pixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
   const Bytes colour = bytes_of(pixels);
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 3 * run.x;
   for (uint8_t* const end = pixel + 3 * run.count; pixel != end; pixel += 3) {
@@ -47,12 +38,7 @@ void coverage(void* context,
   }
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Rgb888Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
+void fill_run(const detail::Rgb888Pixels& pixels, const Run& run) noexcept {
   const Bytes colour = bytes_of(pixels);
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 3 * run.x;
   for (uint8_t* const end = pixel + 3 * run.count; pixel != end; pixel += 3) {
@@ -65,6 +51,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::Rgb888Pixels::kKind = {
-    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::rgb888)};
+    detail::coverage_of<detail::Rgb888Pixels, cover>,
+    detail::solid_of<detail::Rgb888Pixels, fill_run>, nullptr, nullptr,
+    layout_of(PixelFormat::rgb888)};
 
 }  // namespace inkcell::port

@@ -47,6 +47,33 @@ inline bool clip(const Strip& strip, Run& run) noexcept {
   return run.count > 0;
 }
 
+/// Sink::coverage of a format: `draw` gets what is left of the run, relative to
+/// the strip. A pixel has kChannels bytes of coverage.
+template <typename Pixels,
+          void (*draw)(const Pixels&, const Run&, const uint8_t*) noexcept,
+          int kChannels = 1>
+void coverage_of(void* context,
+                 int32_t x,
+                 int32_t y,
+                 const uint8_t* coverage,
+                 int32_t count) noexcept {
+  const auto& pixels = *static_cast<const Pixels*>(context);
+  Run run{x, y, count, 0};
+  if (clip(pixels.strip, run)) {
+    draw(pixels, run, coverage + kChannels * run.skipped);
+  }
+}
+
+/// Likewise Sink::solid.
+template <typename Pixels, void (*draw)(const Pixels&, const Run&) noexcept>
+void solid_of(void* context, int32_t x, int32_t y, int32_t count) noexcept {
+  const auto& pixels = *static_cast<const Pixels*>(context);
+  Run run{x, y, count, 0};
+  if (clip(pixels.strip, run)) {
+    draw(pixels, run);
+  }
+}
+
 /// Clips `block` to the strip. Returns whether anything is left.
 inline bool clip(const Strip& strip, CoverageBlock& block) noexcept {
   const Rect pixels = intersect(block.pixels, strip.rect());

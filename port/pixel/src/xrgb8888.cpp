@@ -5,7 +5,6 @@
 #include "word.hpp"
 
 namespace inkcell::port {
-
 namespace {
 
 using detail::Run;
@@ -28,17 +27,9 @@ uint32_t blend_pair(uint32_t coverage,
   return (sum + (sum >> 8 & kPair)) >> 8 & kPair;
 }
 
-void coverage(void* context,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
-  coverage += run.skipped;
+void cover(const detail::Xrgb8888Pixels& pixels,
+           const Run& run,
+           const uint8_t* coverage) noexcept {
   const uint32_t colour = colour_word(pixels);
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 4 * run.x;
   for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
@@ -51,12 +42,7 @@ void coverage(void* context,
   }
 }
 
-void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
-  const auto& pixels = *static_cast<const detail::Xrgb8888Pixels*>(context);
-  Run run{x, y, count, 0};
-  if (!detail::clip(pixels.strip, run)) {
-    return;
-  }
+void fill_run(const detail::Xrgb8888Pixels& pixels, const Run& run) noexcept {
   const uint32_t colour = colour_word(pixels);
   uint8_t* pixel = detail::row_at(pixels.strip, run.y) + 4 * run.x;
   for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
@@ -67,6 +53,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 const detail::SinkKind detail::Xrgb8888Pixels::kKind = {
-    coverage, solid, nullptr, nullptr, layout_of(PixelFormat::xrgb8888)};
+    detail::coverage_of<detail::Xrgb8888Pixels, cover>,
+    detail::solid_of<detail::Xrgb8888Pixels, fill_run>, nullptr, nullptr,
+    layout_of(PixelFormat::xrgb8888)};
 
 }  // namespace inkcell::port
