@@ -3,7 +3,7 @@
 #include "inkcell/port/ssd1306.hpp"
 
 #include "bounds.hpp"
-#include "oled_commands.hpp"
+#include "mono_oled.hpp"
 #include "send_pixels.hpp"
 
 namespace inkcell::port {
@@ -13,16 +13,7 @@ enum Command : uint8_t {
   kSetAddressing = 0x20,  // mode
   kSetColumns = 0x21,     // first, last
   kSetPages = 0x22,       // first, last
-  kSetStartLine = 0x40,   // | line
   kSetChargePump = 0x8d,
-  kSegmentsNormal = 0xa0,
-  kSegmentsReverse = 0xa1,
-  kNormalDisplay = 0xa4,
-  kNotInverse = 0xa6,
-  kSetMultiplex = 0xa8,  // rows - 1
-  kScanNormal = 0xc0,
-  kScanReverse = 0xc8,
-  kSetOffset = 0xd3,
   kSetRowPins = 0xda,
 };
 
@@ -33,56 +24,27 @@ constexpr uint8_t kPumpOn = 0x14;
 constexpr uint8_t kSequential = 0x02;
 constexpr uint8_t kAlternating = 0x12;
 
-constexpr int32_t kColumns = 128;  // of the controller's memory [px]
-constexpr int32_t kRows = 64;
-constexpr int32_t kMinRows = 16;  // of the multiplex ratio
-
-Status check(const Ssd1306& display) noexcept {
-  return display.width == 0 ||
-                 display.first_column + display.width > kColumns ||
-                 display.height < kMinRows || display.height > kRows ||
-                 display.height % 8 != 0
-             ? Status::bad_argument
-             : Status::ok;
-}
+constexpr int32_t kColumns = 128;   // of the controller's memory [px]
+constexpr int32_t kLeastRows = 16;  // of the multiplex ratio
 
 }  // namespace
 
 Status init(const Ssd1306& display) noexcept {
-  INKCELL_TRY(check(display));
-  const uint8_t commands[] = {
-      kDisplayOff,
-      kSetAddressing,
-      kHorizontal,
-      display.turned ? kSegmentsReverse : kSegmentsNormal,
-      display.turned ? kScanReverse : kScanNormal,
-      kSetStartLine,
-      kSetOffset,
-      0,
-      kSetMultiplex,
-      static_cast<uint8_t>(display.height - 1),
-      kSetRowPins,
-      display.sequential_rows ? kSequential : kAlternating,
-      kSetChargePump,
-      display.external_supply ? kPumpOff : kPumpOn,
-      kNormalDisplay,
-      kNotInverse,
-      kDisplayOn,
+  INKCELL_TRY(check_size(display, kColumns, kLeastRows));
+  const uint8_t own[] = {
+      kSetAddressing, kHorizontal,
+      kSetRowPins,    display.sequential_rows ? kSequential : kAlternating,
+      kSetChargePump, display.external_supply ? kPumpOff : kPumpOn,
   };
-  if (display.bus.reset != nullptr) {
-    display.bus.reset(display.bus.context);
-  }
-  display.bus.command(display.bus.context, commands, sizeof commands);
+  start(display, own);
   return Status::ok;
 }
 
 Status write(const Ssd1306& display, const Strip& strip) noexcept {
-  INKCELL_TRY(check(display));
+  INKCELL_TRY(check_size(display, kColumns, kLeastRows));
   INKCELL_TRY(
       check_on_screen(strip, Ssd1306::kFormat, display.width, display.height));
-  const int32_t left = display.turned
-                           ? kColumns - display.first_column - display.width
-                           : display.first_column;
+  const int32_t left = left_column(display, kColumns);
   const uint8_t window[] = {
       kSetColumns,
       static_cast<uint8_t>(left + strip.x0),
