@@ -55,12 +55,7 @@ bool are_equal(const Touches& a, const Touches& b) noexcept {
 }  // namespace
 
 BodyScene::BodyScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      memory_(setting.memory.grid),
-      workspace_(setting.workspace) {}
+    : SceneBase(setting), memory_(setting.memory.grid) {}
 
 SceneNeeds BodyScene::needs(const Font& font,
                             Text text,
@@ -266,10 +261,9 @@ void BodyScene::draw(const Paper& paper) noexcept {
 
 // Deformations are inside of a letter's box.
 void BodyScene::add_changes(DirtyRects& dirty) const noexcept {
-  const Rect screen = {0, 0, width_, height_};
   for (int32_t i = 0; i < count_; ++i) {
     if (has_moved_[i]) {
-      dirty.add(swept_box(i), screen);
+      dirty.add(swept_box(i), screen());
     }
   }
 }

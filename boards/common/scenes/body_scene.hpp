@@ -1,21 +1,15 @@
 // Scene `figure13`: letters fall, bounce, deform each other, and come to rest.
 #pragma once
 
-#include <stdint.h>
-
-#include "inkcell/dirty_rects.hpp"
-#include "inkcell/font.hpp"
 #include "inkcell/simulation/bodies.hpp"
 #include "inkcell/simulation/body_shape.hpp"
-#include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
-#include "paper.hpp"
+#include "scene_base.hpp"
 
 namespace inkcell::scenes {
 
 /// Figure 13 of Perry and Frisken: soft bodies. A simulation: set_frame() steps
 /// as often as needed, from the start if it goes back.
-class BodyScene {
+class BodyScene : public SceneBase {
  public:
   static constexpr const char* kText = "soft type";
   static constexpr int32_t kMostLetters = 8;
@@ -43,8 +37,6 @@ class BodyScene {
   static SceneNeeds needs(const Font& font, Text text, int32_t height) noexcept;
 
   explicit BodyScene(const SceneSetting& setting) noexcept;
-  BodyScene(const BodyScene&) = delete;
-  BodyScene& operator=(const BodyScene&) = delete;
 
   /// bad_argument: the text has no ink. buffer_small: more than kMostLetters
   /// letters, or the memory is too small.
@@ -76,12 +68,7 @@ class BodyScene {
   bool has_changed(int32_t index) const noexcept;
   Rect swept_box(int32_t index) const noexcept;
 
-  const Font& font_;
-  Text text_;
-  int32_t width_;
-  int32_t height_;
   Span<int8_t> memory_;
-  Workspace workspace_;
   simulation::BodyShape shapes_[kMostLetters];
   simulation::BodyPoint points_[kMostLetters][kPoints];
   uint16_t glyphs_[kMostLetters] = {};  // of the shapes
@@ -92,7 +79,6 @@ class BodyScene {
   simulation::BodyContact contacts_[kContacts];
   simulation::Body before_[kMostLetters];  // as they were drawn before
   bool has_moved_[kMostLetters] = {};
-  uint32_t frame_ = 0;
 };
 
 }  // namespace inkcell::scenes

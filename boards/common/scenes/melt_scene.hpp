@@ -22,20 +22,15 @@ class MeltScene : public TextScene {
     return width > 400 ? 3 : width > 200 ? 2 : width > 100 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    const int32_t scale = scale_for(width);
-    return {static_cast<size_t>(3 * Grid::samples_of(width, scale) *
-                                Grid::samples_of(height, scale)),
-            0, 0};
+    return {3 * samples_for(width, height, scale_for(width)), 0, 0};
   }
 
   explicit MeltScene(const SceneSetting& setting) noexcept
       : TextScene(setting, wider_word(*setting.font, setting.text), 230, 120) {
-    const size_t third = setting.memory.grid.size / 3;
-    const int32_t scale = scale_for(setting.width);
-    for (size_t i = 0; i < 3; ++i) {
-      grids_[i] = Grid({setting.memory.grid.data + i * third, third},
-                       Grid::samples_of(setting.width, scale),
-                       Grid::samples_of(setting.height, scale), scale);
+    Span<int8_t> memory = setting.memory.grid;
+    for (Grid& grid : grids_) {
+      grid = take_grid(memory, setting.width, setting.height,
+                       scale_for(setting.width));
     }
   }
 
@@ -46,7 +41,7 @@ class MeltScene : public TextScene {
     const Text widest = wider_word(font(), text());
     how_.floor = origin().y;
     how_.floor.raw += Painter().measure(font(), style(), widest).bottom.raw;
-    return grids_[0].width() == 0                       ? Status::buffer_small
+    return grids_[2].width() == 0                       ? Status::buffer_small
            : paint(1, grids_[0]) && paint(0, grids_[0]) ? status()
                                                         : Status::bad_argument;
   }

@@ -7,8 +7,8 @@
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
-#include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
+#include "particle_dots.hpp"
 
 namespace inkcell::scenes {
 namespace {
@@ -31,12 +31,6 @@ constexpr uint32_t kSwollen = 98;
 constexpr uint32_t kShrunk = 150;
 constexpr uint32_t kSeed = 14;
 
-constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
-}
-
 // A ramp as wide as a band, so that bands leave no edges between them.
 Filter soft_filter(int32_t band_q6) noexcept {
   constexpr int32_t kLeastQ10 = 640;
@@ -50,12 +44,6 @@ Filter soft_filter(int32_t band_q6) noexcept {
                       Fixed<uint16_t, 8>::from_int(1)});
 }
 
-bool is_near(const Particle& p, const Rect& window) noexcept {
-  constexpr int32_t kReach = 3;  // [px]
-  const int32_t y = p.y.raw >> 16;
-  return y >= window.y0 - kReach && y < window.y1 + kReach;
-}
-
 int16_t speed(int32_t value) noexcept {
   return static_cast<int16_t>(value < -kMostSpeedQ10  ? -kMostSpeedQ10
                               : value > kMostSpeedQ10 ? kMostSpeedQ10
@@ -65,29 +53,12 @@ int16_t speed(int32_t value) noexcept {
 }  // namespace
 
 OffsetScene::OffsetScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      workspace_(setting.workspace),
-      particles_(setting.memory.particles) {
+    : SceneBase(setting), particles_(setting.memory.particles) {
   const int32_t scale = scale_for(width_);
   Span<int8_t> left = setting.memory.grid;
-  const auto take = [&](int32_t width, int32_t height, int32_t scale_log2) {
-    const size_t bytes = grid_bytes(width, height, scale_log2);
-    if (bytes > left.size) {
-      left.size = 0;
-      return DistanceGrid();
-    }
-    const DistanceGrid grid(left, DistanceGrid::samples_of(width, scale_log2),
-                            DistanceGrid::samples_of(height, scale_log2),
-                            scale_log2);
-    left = {left.data + bytes, left.size - bytes};
-    return grid;
-  };
-  grid_ = take(width_, height_, scale);
-  far_grid_ = take(width_, height_, scale + 1);
-  guide_ = take(guide_columns(width_, height_), kGuideRows, 0);
+  grid_ = take_grid(left, width_, height_, scale);
+  far_grid_ = take_grid(left, width_, height_, scale + 1);
+  guide_ = take_grid(left, guide_columns(width_, height_), kGuideRows, 0);
 }
 
 Status OffsetScene::open() noexcept {
@@ -200,14 +171,6 @@ void OffsetScene::step() noexcept {
   simulation::step(particles_, rules, grid_for(rules.radius.raw), 0, 0);
 }
 
-Rect OffsetScene::drawn_box() const noexcept {
-  Rect box = known_pixels(far_grid_);
-  for (const Particle& p : particles_) {
-    box = bounding_box(box, dot_box(p.x, p.y, kMostRadius));
-  }
-  return box;
-}
-
 void OffsetScene::set_frame(uint32_t frame) noexcept {
   before_ = now_;
   if (frame < frame_) {
@@ -222,7 +185,7 @@ void OffsetScene::set_frame(uint32_t frame) noexcept {
 // What all strips of a frame need.
 void OffsetScene::prepare() noexcept {
   soft_ = soft_filter(offset_q6() / kBandCount);
-  now_ = drawn_box();
+  now_ = with_dots(known_pixels(far_grid_), particles_);
 }
 
 void OffsetScene::draw(const Paper& paper) noexcept {
@@ -239,25 +202,13 @@ void OffsetScene::draw(const Paper& paper) noexcept {
   const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);
   for (const Particle& p : particles_) {
     if (is_near(p, paper.window)) {
-      const int32_t fast =
-          (magnitude(p.x_speed_q10) + magnitude(p.y_speed_q10)) >> 4;
-      draw_dot(p.x, p.y, radius,
-               paper.with(mix_rgb(kSlow, kFast, fast < 256 ? fast : 256)));
+      draw_dot(p.x, p.y, radius, paper.with(mix_rgb(kSlow, kFast, heat_of(p))));
     }
   }
 }
 
-void OffsetScene::add_changes(DirtyRects& dirty) const noexcept {
-  dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
-}
-
 void OffsetScene::tell_state(const StateSink& sink) const noexcept {
-  for (const Particle& p : particles_) {
-    sink.tell(p.x.raw);
-    sink.tell(p.y.raw);
-    sink.tell(p.x_speed_q10);
-    sink.tell(p.y_speed_q10);
-  }
+  tell_particles(particles_, sink);
 }
 
 }  // namespace inkcell::scenes

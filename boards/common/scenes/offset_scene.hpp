@@ -2,24 +2,18 @@
 // them.
 #pragma once
 
-#include <stdint.h>
-
-#include "inkcell/dirty_rects.hpp"
 #include "inkcell/filter.hpp"
-#include "inkcell/font.hpp"
 #include "inkcell/motion/distance_grid.hpp"
 #include "inkcell/simulation/particles.hpp"
-#include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
 #include "paint_text.hpp"
-#include "paper.hpp"
+#include "scene_base.hpp"
 
 namespace inkcell::scenes {
 
 /// Figure 14 of Perry and Frisken: attraction, repulsion and collision by one
 /// field, and offset curves that merge and split. A simulation: set_frame()
 /// steps as often as needed, from the start if it goes back.
-class OffsetScene {
+class OffsetScene : public SceneBase {
  public:
   static constexpr const char* kText = "Ink";
 
@@ -27,13 +21,6 @@ class OffsetScene {
   /// distances reach twice as far.
   static constexpr int32_t scale_for(int32_t width) noexcept {
     return width > 200 ? 2 : width > 100 ? 1 : 0;
-  }
-  static constexpr size_t grid_bytes(int32_t width,
-                                     int32_t height,
-                                     int32_t scale) noexcept {
-    using motion::DistanceGrid;
-    return static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
-                               DistanceGrid::samples_of(height, scale));
   }
   /// The screen in a third grid, whose distances reach 2/5 of the height.
   static constexpr int32_t kGuideRows = 10;
@@ -44,22 +31,18 @@ class OffsetScene {
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
     const int32_t scale = scale_for(width);
     const auto area = static_cast<size_t>(width * height);
-    return {grid_bytes(width, height, scale) +
-                grid_bytes(width, height, scale + 1) +
-                grid_bytes(guide_columns(width, height), kGuideRows, 0),
+    return {samples_for(width, height, scale) +
+                samples_for(width, height, scale + 1) +
+                samples_for(guide_columns(width, height), kGuideRows, 0),
             area > 400 * 80 ? 400 : area / 80, 0};
   }
 
   explicit OffsetScene(const SceneSetting& setting) noexcept;
-  OffsetScene(const OffsetScene&) = delete;
-  OffsetScene& operator=(const OffsetScene&) = delete;
 
   /// bad_argument: the text has no ink. buffer_small: the memory.
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
-  void add_changes(DirtyRects& dirty) const noexcept;
-  uint32_t next_due() const noexcept { return frame_ + 1; }
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
@@ -68,23 +51,14 @@ class OffsetScene {
   void pull_from_afar(int32_t strength_q10) noexcept;
   int32_t offset_q6() const noexcept;
   const motion::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;
-  Rect drawn_box() const noexcept;
   void prepare() noexcept;
 
-  const Font& font_;
-  Text text_;
-  int32_t width_;
-  int32_t height_;
   motion::DistanceGrid grid_;
   motion::DistanceGrid far_grid_;
   motion::DistanceGrid guide_;  // the whole screen, for far particles
-  Workspace workspace_;
   TextPlace place_;
   Span<simulation::Particle> particles_;
-  uint32_t frame_ = 0;
   Filter soft_;  // between bands
-  Rect before_;  // drawn by the last two frames
-  Rect now_;
 };
 
 }  // namespace inkcell::scenes

@@ -9,6 +9,32 @@ int32_t px_q6(const Font& font, Q26_6 size, int32_t units) noexcept {
 
 }  // namespace
 
+motion::DistanceGrid take_grid(Span<int8_t>& left,
+                               int32_t width,
+                               int32_t height,
+                               int32_t scale) noexcept {
+  using motion::DistanceGrid;
+  const size_t size = samples_for(width, height, scale);
+  if (size > left.size) {
+    left.size = 0;
+    return {};
+  }
+  const DistanceGrid grid(left, DistanceGrid::samples_of(width, scale),
+                          DistanceGrid::samples_of(height, scale), scale);
+  left = {left.data + size, left.size - size};
+  return grid;
+}
+
+Text word_of(Text text, size_t index) noexcept {
+  size_t end = 0;
+  while (end < text.size && text.data[end] != ' ') {
+    ++end;
+  }
+  const size_t after = end < text.size ? end + 1 : end;
+  return index == 0 ? Text(text.data, end)
+                    : Text(text.data + after, text.size - after);
+}
+
 bool find_place(const Font& font,
                 Text text,
                 int32_t width,
@@ -54,6 +80,16 @@ bool paint_text(const Font& font,
     }
   }
   return true;
+}
+
+void tell_grid(const motion::DistanceGrid& grid,
+               const StateSink& sink) noexcept {
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    const int8_t* row = grid.row(y);
+    for (int32_t x = 0; x < grid.width(); ++x) {
+      sink.tell(row[x]);
+    }
+  }
 }
 
 Rect known_pixels(const motion::DistanceGrid& grid) noexcept {

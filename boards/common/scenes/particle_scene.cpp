@@ -5,8 +5,8 @@
 #include "inkcell/motion/grid_draw.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
-#include "inkcell/simulation/dots.hpp"
 #include "inkcell/style.hpp"
+#include "particle_dots.hpp"
 
 namespace inkcell::scenes {
 namespace {
@@ -31,20 +31,6 @@ constexpr uint32_t kRings = 146;  // it is there, and no dots are drawn
 constexpr uint32_t kSeed = 20;
 
 constexpr int32_t kFlyRadiusQ6 = 84;
-
-// The largest radius of a dot.
-constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
-
-// Whether a dot may touch rows of a window.
-bool is_near(const Particle& p, const Rect& window) noexcept {
-  constexpr int32_t kReach = 3;  // [px]
-  const int32_t y = p.y.raw >> 16;
-  return y >= window.y0 - kReach && y < window.y1 + kReach;
-}
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
-}
 
 // A ramp across a ring, and its slope. [coverage of 255 a pixel, in halves]
 struct RingEdge {
@@ -95,15 +81,9 @@ int32_t word_opacity(uint32_t phase) noexcept {
 }  // namespace
 
 ParticleScene::ParticleScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      grid_(setting.memory.grid,
-            DistanceGrid::samples_of(width_, scale_for(width_)),
-            DistanceGrid::samples_of(height_, scale_for(width_)),
-            scale_for(width_)),
-      workspace_(setting.workspace) {
+    : SceneBase(setting) {
+  Span<int8_t> memory = setting.memory.grid;
+  grid_ = take_grid(memory, width_, height_, scale_for(width_));
   const Span<Particle> all = setting.memory.particles;
   const size_t homes = setting.memory.homes.size;
   if (homes <= all.size) {
@@ -113,21 +93,9 @@ ParticleScene::ParticleScene(const SceneSetting& setting) noexcept
   }
 }
 
-Text ParticleScene::word(int32_t index) const noexcept {
-  size_t space = 0;
-  while (space < text_.size && text_.data[space] != ' ') {
-    ++space;
-  }
-  if (index == 0) {
-    return {text_.data, space};
-  }
-  const size_t second = space < text_.size ? space + 1 : space;
-  return {text_.data + second, text_.size - second};
-}
-
 // Places a word in the middle of the screen, and clears the distances.
-void ParticleScene::begin_word(int32_t index) noexcept {
-  const TextMeasure ink = measure(font_, word(index));
+void ParticleScene::begin_word(size_t index) noexcept {
+  const TextMeasure ink = measure(font_, word_of(text_, index));
   origin_ = {Q26_6::from_raw(width_ * 32 - px_q6(ink.x_min + ink.x_max) / 2),
              Q26_6::from_raw(height_ * 32 + px_q6(ink.y_min + ink.y_max) / 2)};
   grid_.clear();
@@ -142,7 +110,7 @@ int32_t ParticleScene::px_q6(int32_t units) const noexcept {
 // Paints the distances of every letter of the word whose number is `part`
 // modulo `parts`.
 bool ParticleScene::paint_letters(uint32_t part, uint32_t parts) noexcept {
-  TextCursor cursor(font_, word(word_));
+  TextCursor cursor(font_, word_of(text_, word_));
   PositionedGlyph glyph;
   bool is_painted = true;
   for (uint32_t i = 0; cursor.next(glyph); ++i) {
@@ -154,14 +122,11 @@ bool ParticleScene::paint_letters(uint32_t part, uint32_t parts) noexcept {
     }
   }
   // The word and its rings: as far as the grid has distances.
-  const Rect known = grid_.known_box();
-  const int32_t side = 1 << grid_.scale_log2();
-  word_box_ = {(known.x0 - 1) * side, (known.y0 - 1) * side,
-               (known.x1 + 1) * side, (known.y1 + 1) * side};
+  word_box_ = known_pixels(grid_);
   return is_painted;
 }
 
-bool ParticleScene::show_word(int32_t index) noexcept {
+bool ParticleScene::show_word(size_t index) noexcept {
   begin_word(index);
   return paint_letters(0, 1);
 }
@@ -172,15 +137,15 @@ Status ParticleScene::open() noexcept {
   }
   // The longer word takes 5/6 of the width, or 3/5 of the height.
   int32_t longest = 1;
-  for (int32_t i = 0; i < 2; ++i) {
-    const int32_t advance = measure(font_, word(i)).advance;
+  for (size_t i = 0; i < 2; ++i) {
+    const int32_t advance = measure(font_, word_of(text_, i)).advance;
     longest = advance > longest ? advance : longest;
   }
   const auto by_width = static_cast<int32_t>(int64_t{width_} * 64 * 5 / 6 *
                                              font_.units_per_em() / longest);
   const int32_t by_height = height_ * 64 * 3 / 5;
   size_.raw = by_width < by_height ? by_width : by_height;
-  for (int32_t i = 1; i >= 0; --i) {
+  for (size_t i = 2; i-- > 0;) {
     if (!show_word(i) || !spread_homes(grid_, 0, 0, kSeed, homes_)) {
       return Status::bad_argument;
     }
@@ -223,7 +188,7 @@ void ParticleScene::burst() noexcept {
 void ParticleScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kWordFrames;
-  const auto index = static_cast<int32_t>(frame_ / kWordFrames % 2);
+  const auto index = size_t{frame_ / kWordFrames % 2};
   if (phase == kBurst) {
     burst();
   }
@@ -281,18 +246,6 @@ void ParticleScene::step() noexcept {
   simulation::step(flies_, flight, grid_, 0, 0);
 }
 
-// The box of all that is drawn.
-Rect ParticleScene::drawn_box() const noexcept {
-  Rect box = word_box_;
-  const Span<const Particle> both[] = {pieces_, flies_};
-  for (const Span<const Particle>& particles : both) {
-    for (const Particle& p : particles) {
-      box = bounding_box(box, dot_box(p.x, p.y, kMostRadius));
-    }
-  }
-  return box;
-}
-
 void ParticleScene::set_frame(uint32_t frame) noexcept {
   before_ = now_;
   if (frame < frame_) {
@@ -301,7 +254,7 @@ void ParticleScene::set_frame(uint32_t frame) noexcept {
   while (frame_ < frame) {
     step();
   }
-  now_ = drawn_box();
+  now_ = with_dots(with_dots(word_box_, pieces_), flies_);
 }
 
 // Offset curves run outwards when the word has appeared, and fade.
@@ -332,7 +285,7 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
   // It cools down while it appears, below its pieces.
   const uint32_t glow = mix_rgb(kSlow, kInk, opacity);
   Painter(paper.with(mix_rgb(kBackground, glow, opacity + 1)), workspace_)
-      .text(font_, style, origin_, word(word_));
+      .text(font_, style, origin_, word_of(text_, word_));
 }
 
 void ParticleScene::draw_particles(const Paper& paper) const noexcept {
@@ -345,9 +298,7 @@ void ParticleScene::draw_particles(const Paper& paper) const noexcept {
     if (!is_near(p, paper.window)) {
       continue;
     }
-    const int32_t speed = magnitude(p.x_speed_q10) + magnitude(p.y_speed_q10);
-    const int32_t heat = speed >> 4 < 256 ? speed >> 4 : 256;
-    const uint32_t glow = mix_rgb(kSlow, kFast, heat);
+    const uint32_t glow = mix_rgb(kSlow, kFast, heat_of(p));
     draw_dot(p.x, p.y, radius, paper.with(mix_rgb(glow, kInk, hidden)));
   }
   const Q26_6 fly_radius = Q26_6::from_raw(is_small ? 48 : kFlyRadiusQ6);
@@ -365,20 +316,9 @@ void ParticleScene::draw(const Paper& paper) noexcept {
   draw_particles(paper);
 }
 
-void ParticleScene::add_changes(DirtyRects& dirty) const noexcept {
-  dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
-}
-
 void ParticleScene::tell_state(const StateSink& sink) const noexcept {
-  const Span<const Particle> both[] = {pieces_, flies_};
-  for (const Span<const Particle>& particles : both) {
-    for (const Particle& p : particles) {
-      sink.tell(p.x.raw);
-      sink.tell(p.y.raw);
-      sink.tell(p.x_speed_q10);
-      sink.tell(p.y_speed_q10);
-    }
-  }
+  tell_particles(pieces_, sink);
+  tell_particles(flies_, sink);
 }
 
 }  // namespace inkcell::scenes

@@ -48,13 +48,7 @@ Q26_6 size_for(const Font& font, Text text, int32_t width, int32_t height) {
 }  // namespace
 
 PathScene::PathScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      renderer_(font_, kMinSize),
-      workspace_(setting.workspace),
-      path_(points_) {
+    : SceneBase(setting), renderer_(font_, kMinSize), path_(points_) {
   on_path_.overflow = PathOverflow::extend;
 }
 
@@ -171,7 +165,7 @@ void PathScene::draw(const Paper& paper) noexcept {
 
 void PathScene::add_changes(DirtyRects& dirty) const noexcept {
   renderer_.add_changes({before_, run_.glyphs.size}, {posed_, run_.glyphs.size},
-                        {0, 0, width_, height_}, dirty);
+                        screen(), dirty);
 }
 
 void PathScene::tell_state(const StateSink& sink) const noexcept {

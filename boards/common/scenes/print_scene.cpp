@@ -5,7 +5,6 @@
 #include "inkcell/motion/easing.hpp"
 #include "inkcell/motion/grid_draw.hpp"
 #include "inkcell/motion/timeline.hpp"
-#include "paint_text.hpp"
 
 namespace inkcell::scenes {
 namespace {
@@ -36,15 +35,10 @@ constexpr Part kAll[kParts] = {
 }  // namespace
 
 PrintScene::PrintScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      grid_(setting.memory.grid,
-            DistanceGrid::samples_of(width_, scale_for(width_)),
-            DistanceGrid::samples_of(height_, scale_for(width_)),
-            scale_for(width_)),
-      workspace_(setting.workspace) {}
+    : SceneBase(setting) {
+  Span<int8_t> memory = setting.memory.grid;
+  grid_ = take_grid(memory, width_, height_, scale_for(width_));
+}
 
 Status PrintScene::open() noexcept {
   if (grid_.width() == 0) {
@@ -55,7 +49,7 @@ Status PrintScene::open() noexcept {
       !paint_text(font_, text_, place, workspace_, grid_)) {
     return Status::bad_argument;
   }
-  box_ = known_pixels(grid_);
+  now_ = known_pixels(grid_);
   return Status::ok;
 }
 
@@ -100,22 +94,13 @@ void PrintScene::draw(const Paper& paper) noexcept {
   const auto begins = static_cast<int32_t>(kPartFrames - kWipeFrames);
   const Q16_16 wiped =
       ease(kEaseInOut, fraction(begins, begins + kWipeFrames, since));
-  const int32_t border = lerp(box_.x0, box_.x1, wiped);
-  draw_part(paper, (part + 1) % kParts, {box_.x0, 0, border, height_});
-  draw_part(paper, part, {border, 0, box_.x1, height_});
-}
-
-void PrintScene::add_changes(DirtyRects& dirty) const noexcept {
-  dirty.add(box_, {0, 0, width_, height_});
+  const int32_t border = lerp(now_.x0, now_.x1, wiped);
+  draw_part(paper, (part + 1) % kParts, {now_.x0, 0, border, height_});
+  draw_part(paper, part, {border, 0, now_.x1, height_});
 }
 
 void PrintScene::tell_state(const StateSink& sink) const noexcept {
-  for (int32_t y = 0; y < grid_.height(); ++y) {
-    const int8_t* row = grid_.row(y);
-    for (int32_t x = 0; x < grid_.width(); ++x) {
-      sink.tell(row[x]);
-    }
-  }
+  tell_grid(grid_, sink);
 }
 
 }  // namespace inkcell::scenes

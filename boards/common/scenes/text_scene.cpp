@@ -24,16 +24,6 @@ Point TextScene::centred(Text line) const noexcept {
       place_.origin.y};
 }
 
-Text TextScene::word_of(Text text, size_t index) noexcept {
-  size_t end = 0;
-  while (end < text.size && text.data[end] != ' ') {
-    ++end;
-  }
-  const size_t after = end < text.size ? end + 1 : end;
-  return index == 0 ? Text(text.data, end)
-                    : Text(text.data + after, text.size - after);
-}
-
 Text TextScene::wider_word(const Font& font, Text text) noexcept {
   const Text first = word_of(text, 0);
   const Text second = word_of(text, 1);

@@ -80,8 +80,6 @@ class TextScene {
   }
 
  private:
-  static Text word_of(Text text, size_t index) noexcept;
-
   SceneSetting setting_;
   TextPlace place_;
   bool has_ink_;

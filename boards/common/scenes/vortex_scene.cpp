@@ -11,7 +11,6 @@
 #include "inkcell/simulation/advect.hpp"
 #include "inkcell/simulation/redistance.hpp"
 #include "inkcell/style.hpp"
-#include "paint_text.hpp"
 
 namespace inkcell::scenes {
 namespace {
@@ -61,18 +60,10 @@ Q16_16 strength_at(uint32_t phase) noexcept {
 }  // namespace
 
 VortexScene::VortexScene(const SceneSetting& setting) noexcept
-    : font_(*setting.font),
-      text_(setting.text),
-      width_(setting.width),
-      height_(setting.height),
-      workspace_(setting.workspace) {
-  const int32_t scale = scale_for(width_);
-  const int32_t columns = DistanceGrid::samples_of(width_, scale);
-  const int32_t rows = DistanceGrid::samples_of(height_, scale);
-  const size_t half = setting.memory.grid.size / 2;
-  int8_t* first = setting.memory.grid.data;
-  grid_ = DistanceGrid({first, half}, columns, rows, scale);
-  next_ = DistanceGrid({first + half, half}, columns, rows, scale);
+    : SceneBase(setting) {
+  Span<int8_t> memory = setting.memory.grid;
+  grid_ = take_grid(memory, width_, height_, scale_for(width_));
+  next_ = take_grid(memory, width_, height_, scale_for(width_));
 }
 
 // 5/8 of the height and 3/4 of the width, in the middle: less if the letter
@@ -267,7 +258,7 @@ void VortexScene::draw_print(const Paper& paper,
 
 void VortexScene::add_changes(DirtyRects& dirty) const noexcept {
   if (has_changed_) {
-    dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
+    SceneBase::add_changes(dirty);
   }
 }
 
@@ -281,12 +272,7 @@ uint32_t VortexScene::next_due() const noexcept {
 
 void VortexScene::tell_state(const StateSink& sink) const noexcept {
   sink.tell(cutoff_.raw);
-  for (int32_t y = 0; y < grid_.height(); ++y) {
-    const int8_t* row = grid_.row(y);
-    for (int32_t x = 0; x < grid_.width(); ++x) {
-      sink.tell(row[x]);
-    }
-  }
+  tell_grid(grid_, sink);
 }
 
 }  // namespace inkcell::scenes

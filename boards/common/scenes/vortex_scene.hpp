@@ -1,23 +1,18 @@
 // Scene `figure15`: a vortex winds a letter up until it tears; it grows anew.
 #pragma once
 
-#include <stdint.h>
-
-#include "inkcell/dirty_rects.hpp"
-#include "inkcell/font.hpp"
 #include "inkcell/motion/distance_grid.hpp"
 #include "inkcell/motion/grid_blend.hpp"
 #include "inkcell/simulation/print_draw.hpp"
-#include "inkcell/text.hpp"
-#include "inkcell/workspace.hpp"
-#include "paper.hpp"
+#include "paint_text.hpp"
+#include "scene_base.hpp"
 
 namespace inkcell::scenes {
 
 /// Figure 15 of Perry and Frisken: level sets, and layers or a print drawn by
 /// distance. A simulation: set_frame() steps as often as needed, from the start
 /// if it goes back.
-class VortexScene {
+class VortexScene : public SceneBase {
  public:
   static constexpr const char* kText = "&";
 
@@ -27,17 +22,10 @@ class VortexScene {
     return width > 400 ? 2 : width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    using motion::DistanceGrid;
-    const int32_t scale = scale_for(width);
-    const auto grid =
-        static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
-                            DistanceGrid::samples_of(height, scale));
-    return {2 * grid, 0, 0};
+    return {2 * samples_for(width, height, scale_for(width)), 0, 0};
   }
 
   explicit VortexScene(const SceneSetting& setting) noexcept;
-  VortexScene(const VortexScene&) = delete;
-  VortexScene& operator=(const VortexScene&) = delete;
 
   /// Prints the letter, instead of drawing it in layers.
   void print_as(simulation::PrintStyle style) noexcept {
@@ -69,21 +57,13 @@ class VortexScene {
   int32_t cutoff_of(const motion::DistanceGrid& grid,
                     int32_t offset_q6) const noexcept;
 
-  const Font& font_;
-  Text text_;
-  int32_t width_;
-  int32_t height_;
   motion::DistanceGrid grid_;
   motion::DistanceGrid next_;  // or what is left of the letter before
-  Workspace workspace_;
   simulation::PrintStyle print_ = simulation::PrintStyle::relief;
   bool is_print_ = false;
   motion::GridHistogram scratch_;
   Fixed<int32_t, 13> cutoff_;  // keeps the area of the wound letter
   int32_t area_ = 0;
-  uint32_t frame_ = 0;
-  Rect before_;  // drawn by the last two frames
-  Rect now_;
   bool has_changed_ = true;
 };
 
