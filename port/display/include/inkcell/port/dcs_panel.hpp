@@ -8,6 +8,7 @@
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
 
 namespace inkcell::port {
 
@@ -46,6 +47,46 @@ struct DcsPanel {
   /// them before the controller leaves sleep. Must outlive the panel.
   Span<const uint8_t> setup = {};
 };
+
+/// The differences between controllers.
+struct DcsController {
+  int32_t columns;       // of its memory [px]
+  int32_t rows;          // likewise
+  uint8_t pixel_format;  // parameter of COLMOD for 16 bits a pixel
+};
+
+namespace detail {
+Status init(const DcsPanel& panel, const DcsController& controller) noexcept;
+Status write(const DcsPanel& panel,
+             const DcsController& controller,
+             const Strip& strip) noexcept;
+
+// `Type` where Panel is a driver of this kind.
+template <typename Panel, typename Type>
+using OfDcs = decltype(Panel::controller_of(Panel()), Type());
+}  // namespace detail
+
+/// Resets the controller, sends `setup`, sets what write() relies on,
+/// and switches the panel on. Takes a quarter of a second.
+///
+/// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
+/// is incomplete, or the bus has no `wait_ms`. Nothing is sent then.
+template <typename Panel>
+detail::OfDcs<Panel, Status> init(const Panel& display) noexcept {
+  return detail::init(display, Panel::controller_of(display));
+}
+
+/// Sends a strip to its place on the screen, in one window.
+///
+/// bad_argument: the panel is empty or exceeds the controller's memory, the
+/// strip is not on the screen or has the low byte first, or its stride is
+/// shorter than a row. buffer_small: it has fewer pixels than its rows need.
+/// Nothing is sent then.
+template <typename Panel>
+detail::OfDcs<Panel, Status> write(const Panel& display,
+                                   const Strip& strip) noexcept {
+  return detail::write(display, Panel::controller_of(display), strip);
+}
 
 /// The screen that the user sees: the panel's sides, swapped by a quarter turn.
 /// [px]

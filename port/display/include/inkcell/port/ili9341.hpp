@@ -2,27 +2,16 @@
 #pragma once
 
 #include "inkcell/port/dcs_panel.hpp"
-#include "inkcell/status.hpp"
-#include "inkcell/strip.hpp"
 
 namespace inkcell::port {
 
 /// See dcs_panel.hpp. Most modules need mirror_columns and blue_first.
-struct Ili9341 : DcsPanel {};
+struct Ili9341 : DcsPanel {
+  static constexpr DcsController kController = {240, 320, 0x55};
 
-/// Resets the controller, sends `setup`, sets what write() relies on,
-/// and switches the panel on. Takes a quarter of a second.
-///
-/// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
-/// is incomplete, or the bus has no `wait_ms`. Nothing is sent then.
-Status init(const Ili9341& display) noexcept;
-
-/// Sends a strip to its place on the screen, in one window.
-///
-/// bad_argument: the panel is empty or exceeds the controller's memory, the
-/// strip is not on the screen or has the low byte first, or its stride is
-/// shorter than a row. buffer_small: it has fewer pixels than its rows need.
-/// Nothing is sent then.
-Status write(const Ili9341& display, const Strip& strip) noexcept;
+  static constexpr const DcsController& controller_of(const Ili9341&) noexcept {
+    return kController;
+  }
+};
 
 }  // namespace inkcell::port

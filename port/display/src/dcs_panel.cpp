@@ -1,4 +1,5 @@
-#include "dcs_commands.hpp"
+// MIPI DCS commands that the drivers of colour panels share.
+#include "inkcell/port/dcs_panel.hpp"
 
 #include "bounds.hpp"
 #include "send_command.hpp"
