@@ -63,19 +63,26 @@ Q16_16 to_q16(double u) {
   return Q16_16::from_raw(static_cast<int32_t>(std::floor(u * 65536)));
 }
 
-Image draw_cell_field(const View& view, const GlyphField& field) {
+// A picture by the colours of points.
+template <typename ColourAt>
+Image picture_of(const View& view, const ColourAt& colour_at) {
   Image image(view.width + 1, view.height + 1, 3, 255);
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
-      const Q16_16 x_u = to_q16(view.x_u(x));
-      const Q16_16 y_u = to_q16(view.y_u(y));
-      const double distance = distance_at(field, x_u, y_u).raw / 1024.0;
-      const Cell cell = locate(field, x_u.floor(), y_u.floor());
-      put(image, x, y,
-          field_colour({distance, cell.is_saturated()}, view.px_per_u));
+      put(image, x, y, colour_at(view.x_u(x), view.y_u(y)));
     }
   }
   return image;
+}
+
+Image draw_cell_field(const View& view, const GlyphField& field) {
+  return picture_of(view, [&](double x, double y) {
+    const Q16_16 x_u = to_q16(x);
+    const Q16_16 y_u = to_q16(y);
+    const double distance = distance_at(field, x_u, y_u).raw / 1024.0;
+    const Cell cell = locate(field, x_u.floor(), y_u.floor());
+    return field_colour({distance, cell.is_saturated()}, view.px_per_u);
+  });
 }
 
 // The four sides of a cell over the picture without borders.
@@ -147,14 +154,9 @@ Image draw_outline_field(const View& view,
                          const Font& font,
                          const GlyphCensus& glyph) {
   const OutlineField field(font, glyph.glyph, view.box_u);
-  Image image(view.width + 1, view.height + 1, 3, 255);
-  for (int y = 0; y < view.height; ++y) {
-    for (int x = 0; x < view.width; ++x) {
-      put(image, x, y,
-          field_colour(field.at(view.x_u(x), view.y_u(y)), view.px_per_u));
-    }
-  }
-  return image;
+  return picture_of(view, [&](double x, double y) {
+    return field_colour(field.at(x, y), view.px_per_u);
+  });
 }
 
 Image draw_field(const View& view, const Font& font, const GlyphCensus& glyph) {
@@ -215,14 +217,10 @@ void draw_hints(const View& view,
 // The inside of the glyph in a pale colour.
 Image draw_shape(const View& view, const Font& font, const GlyphCensus& glyph) {
   const OutlineField field(font, glyph.glyph, view.box_u);
-  Image image(view.width + 1, view.height + 1, 3, 255);
-  for (int y = 0; y < view.height; ++y) {
-    for (int x = 0; x < view.width; ++x) {
-      const double distance = field.at(view.x_u(x), view.y_u(y)).distance_u;
-      put(image, x, y, mix(kOutside, kInside, distance * view.px_per_u + 0.5));
-    }
-  }
-  return image;
+  return picture_of(view, [&](double x, double y) {
+    return mix(kOutside, kInside,
+               field.at(x, y).distance_u * view.px_per_u + 0.5);
+  });
 }
 
 // Blends the pixels that are less than `radius_px` from the line from a to b.

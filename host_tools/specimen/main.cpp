@@ -1,5 +1,7 @@
 // inkcell-specimen: specimen pictures of a font.
 #include <CLI/CLI.hpp>
+#include <array>
+#include <iterator>
 
 #include "compare.hpp"
 #include "convert.hpp"
@@ -12,29 +14,40 @@
 namespace inkcell::tools {
 namespace {
 
+// A picture that needs a font alone.
+struct Picture {
+  const char* name;
+  const char* help;
+  Image (*draw)(const Font& font);
+};
+constexpr Picture kPictures[] = {
+    {"body", "Paragraphs at 11, 13 and 16 px", draw_body},
+    {"digits", "A clock, 160 px high", draw_digits},
+    {"turned", "A word in many directions", draw_turned},
+    {"moved", "A line moved by 1/8 px from row to row", draw_moved},
+    {"filters", "Filters, weights, gamma", draw_filters},
+    {"lcd", "Sub-pixels", draw_lcd},
+    {"effects", "Outlines, shadows, glows: with --band-px 2 --min-px 12",
+     draw_effects},
+    {"fitting", "Grid fitting, in grey and in 1 bit", draw_fitting},
+    {"contrast", "Darker edges and thin strokes; for --coding field",
+     draw_contrast},
+    {"maps", "Leaning, narrow, mirrored, turned", draw_maps},
+    {"motion", "Motion blur", draw_motion},
+    {"levels", "Displays of 1 and 2 bits", draw_levels},
+    {"star", "A pattern finer than pixels", draw_star}};
+
 struct Arguments {
   gen::GenerateRequest request;
   std::string font;
   std::string sizes;
-  std::string body;
-  std::string digits;
-  std::string turned;
-  std::string moved;
-  std::string filters;
-  std::string lcd;
-  std::string effects;
-  std::string fitting;
-  std::string contrast;
-  std::string maps;
-  std::string motion;
-  std::string levels;
+  std::array<std::string, std::size(kPictures)> pictures;
   std::string compare_body;
   std::string compare_display;
-  std::string star;
   int width = 780;
 };
 
-constexpr const char* kPictures = "Pictures, one or more";
+constexpr const char* kGroup = "Pictures, one or more";
 constexpr const char* kPicture = "OUT.png";
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
@@ -45,32 +58,20 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                               const char* help) {
     app.add_option(std::string("--draw-") + name, file, help)
         ->type_name(kPicture)
-        ->group(kPictures);
+        ->group(kGroup);
   };
   picture("sizes", arguments.sizes, "One line at ten sizes");
   app.add_option("--width", arguments.width, "Of the picture of sizes [px]")
       ->check(CLI::Range(300, 4096))
       ->capture_default_str()
-      ->group(kPictures);
-  picture("body", arguments.body, "Paragraphs at 11, 13 and 16 px");
-  picture("digits", arguments.digits, "A clock, 160 px high");
-  picture("turned", arguments.turned, "A word in many directions");
-  picture("moved", arguments.moved, "A line moved by 1/8 px from row to row");
-  picture("filters", arguments.filters, "Filters, weights, gamma");
-  picture("lcd", arguments.lcd, "Sub-pixels");
-  picture("effects", arguments.effects,
-          "Outlines, shadows, glows: with --band-px 2 --min-px 12");
-  picture("fitting", arguments.fitting, "Grid fitting, in grey and in 1 bit");
-  picture("contrast", arguments.contrast,
-          "Darker edges and thin strokes; for --coding field");
-  picture("maps", arguments.maps, "Leaning, narrow, mirrored, turned");
-  picture("motion", arguments.motion, "Motion blur");
-  picture("levels", arguments.levels, "Displays of 1 and 2 bits");
+      ->group(kGroup);
+  for (size_t i = 0; i < arguments.pictures.size(); ++i) {
+    picture(kPictures[i].name, arguments.pictures[i], kPictures[i].help);
+  }
   picture("compare-body", arguments.compare_body,
           "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
   picture("compare-display", arguments.compare_display,
           "The same with letters of 40 px");
-  picture("star", arguments.star, "A pattern finer than pixels");
   add_conversion_options(app, arguments.request);
 }
 
@@ -110,19 +111,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
   };
   const Font& font = rom.font();
   write(arguments.sizes, [&] { return draw_sizes(font, arguments.width); });
-  write(arguments.body, [&] { return draw_body(font); });
-  write(arguments.digits, [&] { return draw_digits(font); });
-  write(arguments.turned, [&] { return draw_turned(font); });
-  write(arguments.moved, [&] { return draw_moved(font); });
-  write(arguments.filters, [&] { return draw_filters(font); });
-  write(arguments.lcd, [&] { return draw_lcd(font); });
-  write(arguments.effects, [&] { return draw_effects(font); });
-  write(arguments.fitting, [&] { return draw_fitting(font); });
-  write(arguments.contrast, [&] { return draw_contrast(font); });
-  write(arguments.maps, [&] { return draw_maps(font); });
-  write(arguments.motion, [&] { return draw_motion(font); });
-  write(arguments.levels, [&] { return draw_levels(font); });
-  write(arguments.star, [&] { return draw_star(font); });
+  for (size_t i = 0; i < arguments.pictures.size(); ++i) {
+    write(arguments.pictures[i], [&] { return kPictures[i].draw(font); });
+  }
   if (has_comparison(arguments)) {
     PeerFont peers(arguments.font);
     write(arguments.compare_body, [&] { return compare_body(font, peers); });
