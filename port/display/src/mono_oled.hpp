@@ -4,7 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "oled_commands.hpp"
+#include "inkcell/port/oled_panel.hpp"
+#include "inkcell/status.hpp"
 
 namespace inkcell::port {
 
@@ -44,7 +45,7 @@ void start(const Display& display, const uint8_t (&own)[kCount]) noexcept {
     kSetOffset = 0xd3,
   };
   const uint8_t mounting[] = {
-      kDisplayOff,
+      detail::kOledOff,
       display.turned ? kSegmentsReverse : kSegmentsNormal,
       display.turned ? kScanReverse : kScanNormal,
       kSetStartLine,
@@ -61,7 +62,7 @@ void start(const Display& display, const uint8_t (&own)[kCount]) noexcept {
   }
   bus.command(bus.context, mounting, sizeof mounting);
   bus.command(bus.context, own, kCount);
-  send_power(bus, kDisplayOn);
+  bus.command(bus.context, &detail::kOledOn, 1);
 }
 
 }  // namespace inkcell::port

@@ -33,16 +33,4 @@ Status write(const Sh1106& display, const Strip& strip) noexcept {
   return Status::ok;
 }
 
-void sleep(const Sh1106& display) noexcept {
-  send_power(display.bus, kDisplayOff);
-}
-
-void wake(const Sh1106& display) noexcept {
-  send_power(display.bus, kDisplayOn);
-}
-
-void set_contrast(const Sh1106& display, uint8_t contrast) noexcept {
-  send_contrast(display.bus, contrast);
-}
-
 }  // namespace inkcell::port

@@ -2,7 +2,6 @@
 #include "inkcell/port/ssd0303.hpp"
 
 #include "bounds.hpp"
-#include "oled_commands.hpp"
 #include "send_pages.hpp"
 
 namespace inkcell::port {
@@ -23,8 +22,8 @@ constexpr int32_t kRows = 64;
 
 void init(const Ssd0303& display) noexcept {
   const uint8_t commands[] = {
-      kDisplayOff,   kSegmentsNormal, kNormalDisplay, kNotInverse,
-      kSetStartLine, kScanNormal,     kDisplayOn,
+      detail::kOledOff, kSegmentsNormal, kNormalDisplay,  kNotInverse,
+      kSetStartLine,    kScanNormal,     detail::kOledOn,
   };
   display.bus.command(display.bus.context, commands, sizeof commands);
 }
@@ -38,18 +37,6 @@ Status write(const Ssd0303& display, const Strip& strip) noexcept {
       check_on_screen(strip, Ssd0303::kFormat, display.width, display.height));
   send_pages(display.bus, display.first_column, strip);
   return Status::ok;
-}
-
-void sleep(const Ssd0303& display) noexcept {
-  send_power(display.bus, kDisplayOff);
-}
-
-void wake(const Ssd0303& display) noexcept {
-  send_power(display.bus, kDisplayOn);
-}
-
-void set_contrast(const Ssd0303& display, uint8_t contrast) noexcept {
-  send_contrast(display.bus, contrast);
 }
 
 }  // namespace inkcell::port

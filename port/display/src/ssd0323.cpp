@@ -2,7 +2,6 @@
 #include "inkcell/port/ssd0323.hpp"
 
 #include "bounds.hpp"
-#include "oled_commands.hpp"
 #include "send_pixels.hpp"
 
 namespace inkcell::port {
@@ -25,7 +24,7 @@ constexpr int32_t kMaxHeight = 80;
 
 void init(const Ssd0323& display) noexcept {
   const uint8_t commands[] = {
-      kDisplayOff,
+      detail::kOledOff,
       kSetRemap,
       0,  // rows first, columns and nibbles from the left
       kSetStartLine,
@@ -35,7 +34,7 @@ void init(const Ssd0323& display) noexcept {
       kNormalDisplay,
       kSetMultiplex,
       static_cast<uint8_t>(display.height - 1),
-      kDisplayOn,
+      detail::kOledOn,
   };
   display.bus.command(display.bus.context, commands, sizeof commands);
 }
@@ -57,18 +56,6 @@ Status write(const Ssd0323& display, const Strip& strip) noexcept {
   display.bus.command(display.bus.context, window, sizeof window);
   send_pixels(display.bus, strip, Ssd0323::kFormat);
   return Status::ok;
-}
-
-void sleep(const Ssd0323& display) noexcept {
-  send_power(display.bus, kDisplayOff);
-}
-
-void wake(const Ssd0323& display) noexcept {
-  send_power(display.bus, kDisplayOn);
-}
-
-void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept {
-  send_contrast(display.bus, static_cast<uint8_t>(contrast / 2));
 }
 
 }  // namespace inkcell::port

@@ -58,16 +58,4 @@ Status write(const Ssd1306& display, const Strip& strip) noexcept {
   return Status::ok;
 }
 
-void sleep(const Ssd1306& display) noexcept {
-  send_power(display.bus, kDisplayOff);
-}
-
-void wake(const Ssd1306& display) noexcept {
-  send_power(display.bus, kDisplayOn);
-}
-
-void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept {
-  send_contrast(display.bus, contrast);
-}
-
 }  // namespace inkcell::port

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/oled_panel.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
@@ -12,8 +13,10 @@ namespace inkcell::port {
 
 /// A display of up to 132 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
+/// sleep(), wake() and set_contrast() stand in oled_panel.hpp.
 struct Sh1106 {
   static constexpr PixelFormat kFormat = PixelFormat::mono_pages;
+  static constexpr uint8_t kContrastShift = 0;
 
   DisplayBus bus;
   uint8_t width = 128;       // [px]
@@ -40,13 +43,5 @@ Status init(const Sh1106& display) noexcept;
 /// height is not a multiple of 8, or its stride is shorter than a page.
 /// buffer_small: it has fewer pixels than its pages need. Nothing is sent then.
 Status write(const Sh1106& display, const Strip& strip) noexcept;
-
-/// Switches the panel off, and on again. The memory is kept, and write() works
-/// meanwhile.
-void sleep(const Sh1106& display) noexcept;
-void wake(const Sh1106& display) noexcept;
-
-/// How bright pixels are, 0 to 255; 128 after a reset.
-void set_contrast(const Sh1106& display, uint8_t contrast) noexcept;
 
 }  // namespace inkcell::port

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/oled_panel.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
@@ -12,8 +13,10 @@ namespace inkcell::port {
 
 /// A display of up to 132 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
+/// sleep(), wake() and set_contrast() stand in oled_panel.hpp.
 struct Ssd0303 {
   static constexpr PixelFormat kFormat = PixelFormat::mono_pages;
+  static constexpr uint8_t kContrastShift = 0;
 
   DisplayBus bus;
   uint8_t width = 132;       // [px]
@@ -37,13 +40,5 @@ void init(const Ssd0303& display) noexcept;
 /// stride is shorter than a page. buffer_small: it has fewer pixels than its
 /// pages need. Nothing is sent then.
 Status write(const Ssd0303& display, const Strip& strip) noexcept;
-
-/// Switches the panel off, and on again. The memory is kept, and write() works
-/// meanwhile.
-void sleep(const Ssd0303& display) noexcept;
-void wake(const Ssd0303& display) noexcept;
-
-/// How bright pixels are, 0 to 255; 128 after a reset.
-void set_contrast(const Ssd0303& display, uint8_t contrast) noexcept;
 
 }  // namespace inkcell::port

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/oled_panel.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
@@ -12,8 +13,10 @@ namespace inkcell::port {
 
 /// A display of up to 128 x 80 pixels, usually 128 x 64. Its pixels are those
 /// of PixelFormat::grey4 with BitOrder::high_left.
+/// sleep(), wake() and set_contrast() stand in oled_panel.hpp.
 struct Ssd0323 {
   static constexpr PixelFormat kFormat = PixelFormat::grey4;
+  static constexpr uint8_t kContrastShift = 1;  // it has 7 bits
 
   DisplayBus bus;
   uint8_t width = 128;  // [px], even
@@ -35,13 +38,5 @@ void init(const Ssd0323& display) noexcept;
 /// shorter than a row. buffer_small: it has fewer pixels than its rows need.
 /// Nothing is sent then.
 Status write(const Ssd0323& display, const Strip& strip) noexcept;
-
-/// Switches the panel off, and on again. The memory is kept, and write() works
-/// meanwhile.
-void sleep(const Ssd0323& display) noexcept;
-void wake(const Ssd0323& display) noexcept;
-
-/// How bright pixels are, 0 to 255, in 128 steps; 128 after a reset.
-void set_contrast(const Ssd0323& display, uint8_t contrast) noexcept;
 
 }  // namespace inkcell::port

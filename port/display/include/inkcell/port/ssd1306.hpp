@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/port/display_bus.hpp"
+#include "inkcell/port/oled_panel.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
@@ -12,8 +13,10 @@ namespace inkcell::port {
 
 /// A display of up to 128 x 64 pixels. Its pixels are those of
 /// PixelFormat::mono_pages.
+/// sleep(), wake() and set_contrast() stand in oled_panel.hpp.
 struct Ssd1306 {
   static constexpr PixelFormat kFormat = PixelFormat::mono_pages;
+  static constexpr uint8_t kContrastShift = 0;
 
   DisplayBus bus;
   uint8_t width = 128;       // [px]
@@ -44,13 +47,5 @@ Status init(const Ssd1306& display) noexcept;
 /// height is not a multiple of 8, or its stride is shorter than a page.
 /// buffer_small: it has fewer pixels than its pages need. Nothing is sent then.
 Status write(const Ssd1306& display, const Strip& strip) noexcept;
-
-/// Switches the panel off, and on again. The memory is kept, and write() works
-/// meanwhile.
-void sleep(const Ssd1306& display) noexcept;
-void wake(const Ssd1306& display) noexcept;
-
-/// How bright pixels are, 0 to 255; 127 after a reset.
-void set_contrast(const Ssd1306& display, uint8_t contrast) noexcept;
 
 }  // namespace inkcell::port
