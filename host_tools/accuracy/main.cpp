@@ -176,7 +176,7 @@ ErrorTable compare_all(const Font& font,
   table.characters = choose_characters(font, arguments.symbols);
   const size_t count = table.characters.size();
   table.errors.resize(count);
-  ProgressBar bar;
+  Progress bar(!Progress::is_terminal());
   std::mutex guard;
   size_t done = 0;
   parallel_for(count, arguments.threads, [&](size_t i) {

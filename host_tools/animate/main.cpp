@@ -18,7 +18,6 @@
 #include <nettle/sha2.h>
 
 #include "apng.hpp"
-#include "app/progress.hpp"
 #include "canvas.hpp"
 #include "clock_scene.hpp"
 #include "convert.hpp"
@@ -29,6 +28,7 @@
 #include "paper.hpp"
 #include "player.hpp"
 #include "program.hpp"
+#include "progress.hpp"
 #include "scene_icons.hpp"
 
 namespace inkcell::tools {
@@ -315,7 +315,7 @@ void play(const Arguments& arguments, Player& player, Size size) {
   DisplayMemory memory(Display::xrgb8888, size.width, size.height);
   Image before;
   Tally tally;
-  gen::Progress progress(false, "frames");
+  Progress progress(false, "frames");
   uint32_t due = 0;
   for (uint32_t i = 0; i < frames.count; ++i) {
     const uint32_t number = frames.first + i * frames.step;
@@ -361,7 +361,7 @@ void play_reel(const Arguments& arguments, const Font& font, Size size) {
                        size.height / kReelRows);
   const Frames frames = frames_of(arguments);
   const Output output = open_output(arguments, size, frames.count);
-  gen::Progress progress(false, "frames");
+  Progress progress(false, "frames");
   for (uint32_t i = 0; i < frames.count; ++i) {
     const uint32_t number = frames.first + i * frames.step;
     Image whole(size.width, size.height, 3);

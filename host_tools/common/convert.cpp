@@ -9,8 +9,8 @@
 
 #include "app/face_options.hpp"
 #include "app/options.hpp"
-#include "app/progress.hpp"
 #include "inkcell/text.hpp"
+#include "progress.hpp"
 #include "source/char_set.hpp"
 #include "source/shaping_need.hpp"
 
@@ -25,7 +25,7 @@ gen::RomFont generate(gen::GenerateRequest request, bool may_halve) {
   const auto tell = std::move(request.progress);
   while (true) {
     try {
-      gen::Progress progress(false);
+      Progress progress(false);
       request.progress = [&](size_t done, size_t count) {
         if (tell) {
           tell(done, count);

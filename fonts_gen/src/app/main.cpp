@@ -14,12 +14,12 @@
 #include "app/face_options.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
-#include "app/progress.hpp"
 #include "app/report.hpp"
 #include "files.hpp"
 #include "pipeline/built_glyphs.hpp"
 #include "pipeline/generate.hpp"
 #include "program.hpp"
+#include "progress.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -372,7 +372,7 @@ void measure_band(const GenerateRequest& request, FontReport& report) {
 // Makes the finest font that fits, with a line for each trial, or the font as
 // asked for.
 RomFont make_font(const Arguments& arguments,
-                  std::optional<Progress>& progress) {
+                  std::optional<tools::Progress>& progress) {
   if (arguments.budget != 0) {
     return generate_within(arguments.request, arguments.budget,
                            [&](const std::string& line) {
@@ -409,7 +409,8 @@ void build_part(const Arguments& arguments) {
   out.commit();
 }
 
-void make_files(const Arguments& arguments, std::optional<Progress>& progress) {
+void make_files(const Arguments& arguments,
+                std::optional<tools::Progress>& progress) {
   const RomFont font = make_font(arguments, progress);
   progress.reset();
   for (const Warning& warning : font.warnings) {
@@ -437,7 +438,7 @@ void run(Arguments& arguments) {
   if (arguments.part || !arguments.built.empty()) {
     arguments.request.built_glyphs = &built;
   }
-  std::optional<Progress> progress(arguments.quiet);
+  std::optional<tools::Progress> progress(arguments.quiet);
   arguments.request.progress = [&](size_t done, size_t count) {
     progress->update(done, count);
   };

@@ -5,7 +5,6 @@
 
 #include "app/options.hpp"
 #include "app/output.hpp"
-#include "app/progress.hpp"
 #include "export/rom.hpp"
 #include "export/svg.hpp"
 #include "export/ttf.hpp"
@@ -14,6 +13,7 @@
 #include "model/error.hpp"
 #include "program.hpp"
 #include "program/commands.hpp"
+#include "progress.hpp"
 #include "ufo/ufo.hpp"
 
 namespace inkcell::design {
@@ -45,7 +45,7 @@ void say_warnings(const gen::Warnings& warnings) {
 void export_rom(const Project& project,
                 ConvertArguments& arguments,
                 TtfReport& report) {
-  std::optional<gen::Progress> progress(false);
+  std::optional<tools::Progress> progress(false);
   arguments.request.progress = [&progress](size_t done, size_t count) {
     progress->update(done, count);
   };

@@ -6,11 +6,11 @@
 
 #include "app/options.hpp"
 #include "app/output.hpp"
-#include "app/progress.hpp"
 #include "base/work_pool.hpp"
 #include "model/error.hpp"
 #include "program.hpp"
 #include "program/commands.hpp"
+#include "progress.hpp"
 #include "source/font_source.hpp"
 #include "trace/corner_census.hpp"
 #include "trace/field_outline.hpp"
@@ -119,7 +119,7 @@ void run(RoundtripArguments& arguments) {
   gen::SourceFont font = gen::load_font(wanted, 1, warnings);
   font.glyphs.erase(font.glyphs.begin());  // .notdef
   std::vector<GlyphResult> results(font.glyphs.size());
-  std::optional<gen::Progress> progress(arguments.quiet);
+  std::optional<tools::Progress> progress(arguments.quiet);
   gen::parallel_for(
       results.size(), arguments.request.threads,
       [&](size_t i) {
