@@ -267,42 +267,28 @@ std::string dependencies(const Arguments& arguments) {
 // Writes all files first, then moves them to their places, the font last: if
 // the disk is full, no file appears.
 void write_files(const Arguments& arguments, const RomFont& font) {
-  std::list<OutputFile> fonts;
+  std::list<OutputFile> files;
+  const auto write = [&files](const std::string& file, const auto& content) {
+    if (!file.empty()) {
+      files.emplace_back(file).write(content());
+    }
+  };
+  write(arguments.preview, [&] { return encode_png(draw_preview(font)); });
+  write(arguments.header, [&] {
+    return arguments.request.paged != 0
+               ? encode_stored_header(font, arguments.name)
+               : encode_c_header(font, arguments.name);
+  });
+  write(arguments.report, [&] { return report_as_json(font.report); });
+  write(arguments.depfile, [&] { return dependencies(arguments); });
   for (const std::string& out : arguments.out) {
-    fonts.emplace_back(out).write(encode(font, format_of(arguments, out),
-                                         arguments.name, arguments.section));
+    write(out, [&] {
+      return encode(font, format_of(arguments, out), arguments.name,
+                    arguments.section);
+    });
   }
-  std::optional<OutputFile> header;
-  if (!arguments.header.empty()) {
-    header.emplace(arguments.header)
-        .write(arguments.request.paged != 0
-                   ? encode_stored_header(font, arguments.name)
-                   : encode_c_header(font, arguments.name));
-  }
-  std::optional<OutputFile> report;
-  if (!arguments.report.empty()) {
-    report.emplace(arguments.report).write(report_as_json(font.report));
-  }
-  std::optional<OutputFile> depfile;
-  if (!arguments.depfile.empty()) {
-    depfile.emplace(arguments.depfile).write(dependencies(arguments));
-  }
-  std::optional<OutputFile> preview;
-  if (!arguments.preview.empty()) {
-    preview.emplace(arguments.preview).write(encode_png(draw_preview(font)));
-    preview->commit();
-  }
-  if (header) {
-    header->commit();
-  }
-  if (report) {
-    report->commit();
-  }
-  if (depfile) {
-    depfile->commit();
-  }
-  for (OutputFile& out : fonts) {
-    out.commit();
+  for (OutputFile& file : files) {
+    file.commit();
   }
 }
 

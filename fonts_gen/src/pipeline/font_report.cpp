@@ -25,7 +25,6 @@ GlyphReport report_glyph(const SourceGlyph& source,
   for (const MinimalContour& contour : built.outline.contours) {
     glyph.points += contour.points.size();
   }
-  glyph.components = built.references.size();
   glyph.bytes = glyph_record(built).size();
   if (options.predicate == Predicate::fixed) {
     glyph.worst_error = built.field.worst_error;

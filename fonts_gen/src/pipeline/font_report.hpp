@@ -24,7 +24,6 @@ struct GlyphReport {
   size_t cells = 0;       // that are not saturated
   size_t nodes = 0;
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
-  size_t components = 0;  // that a composite record refers to; 0: simple
   size_t bytes = 0;       // of its record
   /// size_aware: what GlyphErrors promises; the mean over the ink's box and 1.5
   /// px at the worst size [1/255]. fixed: as SampleTree.
