@@ -1,4 +1,4 @@
-// Distances of a text in the middle of a screen.
+// Grids of distances as large as a screen, and texts in the middle of it.
 #pragma once
 
 #include <stddef.h>
