@@ -1,5 +1,6 @@
 #!/bin/sh
-# Draws the pictures of README.md and docs/ into docs/img/.
+# Draws the pictures of README.md and docs/ into docs/img/, those of the studio into
+# host_tools/design/docs/img/.
 #
 #   sh host_tools/draw_docs.sh <host build folder>
 set -eu
@@ -10,7 +11,8 @@ fi
 tools=$(cd "$1" && pwd)/host_tools
 cd "$(dirname "$0")/.."
 fonts=/usr/share/fonts/truetype
-mkdir -p docs/img
+images=host_tools/design/docs/img
+mkdir -p docs/img $images
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
   --draw-sizes docs/img/sizes.png --draw-filters docs/img/filters.png \
   --draw-lcd docs/img/lcd.png --draw-levels docs/img/levels.png \
@@ -48,7 +50,7 @@ open $fonts/dejavu/DejaVuSans.ttf $folder/Mine.ufo 0x20-0x7E
 glyph a
 text Hamburg 012
 select 3
-screenshot docs/img/editor.png
+screenshot $images/editor.png
 END
 "$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
 # A knot of the sample's n, with its nib.
@@ -56,18 +58,18 @@ cat >"$folder/strokes.txt" <<END
 sample
 press 280 462
 release 280 462
-screenshot $PWD/docs/img/strokes.png
+screenshot $PWD/$images/strokes.png
 END
 (cd "$folder" && "$tools/design/editor/inkcell-editor" --script strokes.txt)
 "$tools/simulator/inkcell-simulator" --display grey4 --size 128x64 --px 40 \
   --text Rag --hint vertical --overlay on --screenshot docs/img/simulator.png
 # Eight letters made by the steps of the window's test, and an OLED with them.
-python3 -B tests/design/check_window.py "$tools/design/editor/inkcell-editor" \
-  --letters "$folder"
-cp "$folder/letters.png" docs/img/letters.png
+python3 -B host_tools/design/tests/check_window.py \
+  "$tools/design/editor/inkcell-editor" --letters "$folder"
+cp "$folder/letters.png" $images/letters.png
 "$tools/simulator/inkcell-simulator" --font "$folder/Letters.ttf" \
   --board lm3s6965evb_grey4 --text "hound blind" --px 22 \
-  --screenshot docs/img/letters_oled.png
+  --screenshot $images/letters_oled.png
 # Text drawn by LVGL, if the build has it (tests/lvgl).
 shots=$tools/../tests/lvgl/inkcell_lvgl_shots
 if [ -x "$shots" ]; then
@@ -76,4 +78,4 @@ if [ -x "$shots" ]; then
 else
   echo "docs/img/lvgl.png stays as it is: the build is without LVGL" >&2
 fi
-ls -l docs/img
+ls -l docs/img $images

@@ -7,7 +7,7 @@
 #              docs/figures.json and the tables that are drawn from it
 #   programs   bytes of whole programs: docs/figures.json
 #   corpus     fonts of 180 faces: a chapter of docs/BENCHMARKS.md
-#   editing    the claims of docs/EDITING.md
+#   editing    the claims of host_tools/design/docs/EDITING.md
 #   mutate     mistakes in the core that no unit test notices
 #   coverage   lines and branches of the core that no test runs
 #   fuzz       four fuzzers, an hour
@@ -51,7 +51,7 @@ bench() {
 }
 editing() {
   cmake --build build/host -j "$jobs" --target all &&
-    python3 -B tests/design/figures.py build/host
+    python3 -B host_tools/design/tests/figures.py build/host/host_tools/design
 }
 bare() {
   [ "$(id -u)" = 0 ] || { echo "needs root"; return 77; }

@@ -3,7 +3,7 @@
 //   { "do": "move_points", "glyph": "a", "points": [[0, 3]], "dx": 10 }
 //
 // Commands are deterministic: the same list on the same project gives the same
-// result, so a list is a journal, a macro and a test script. docs/EDITING.md
+// result, so a list is a journal, a macro and a test script. EDITING.md
 // lists them.
 #pragma once
 

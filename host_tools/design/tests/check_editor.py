@@ -382,8 +382,8 @@ def check_parts(editor):
 
 def check_lua(editor):
     """A program in Lua draws letters; again with other parameters; undo."""
-    sample = pathlib.Path(__file__).resolve().parents[2] / \
-        "host_tools/design/samples/pen_face.lua"
+    sample = pathlib.Path(__file__).resolve().parents[1] / \
+        "samples/pen_face.lua"
     thin, bold, u, back, gone = editor.run(
         "new Lua.ufo A Mine 1000 750 -250 500 700", f"lua {sample}", "glyph n",
         "print", f"lua {sample} weight=150", "print", "glyph u", "print",

@@ -29,8 +29,7 @@ except ImportError as missing:
     sys.exit(77)
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
-          "host_tools/design/samples/pen_face.lua")
+SAMPLE = pathlib.Path(__file__).resolve().parents[1] / "samples/pen_face.lua"
 SIZES_PX = (12, 24, 64)
 # The error of fontmake's quadratics against our cubics; ours are within 1/3
 # unit. Both round points to whole units; the pen's face has 1000 an em: two

@@ -1,10 +1,10 @@
-"""Prints what docs/EDITING.md promises: must, aim, measured, verdict.
+"""Prints what EDITING.md promises: must, aim, measured, verdict.
 
 Usage: figures.py BUILD [--quick] [--fonts FILE...]
 
-BUILD holds inkcell-design and the tests of tests/design. With --quick few
-characters, strokes and masters, in less than a minute; without it ASCII of five
-faces and 100,000 strokes of about 8 ms each. --fonts names other faces than the
+BUILD is the build folder of the studio, with inkcell-design and tests/. With
+--quick few characters, strokes and masters, in less than a minute; without it
+ASCII of five faces and 100,000 strokes of about 8 ms each. --fonts names other faces than the
 five and measures the round trip only. Exits with 1 if a figure misses its
 'must'.
 
@@ -47,8 +47,8 @@ class Bench:
     """Runs the programs of a build, each measurement once."""
 
     def __init__(self, build, is_quick, faces):
-        self.tests = build / "tests/design"
-        self.design = build / "host_tools/design/inkcell-design"
+        self.tests = build / "tests"
+        self.design = build / "inkcell-design"
         self.is_quick = is_quick
         self.faces = faces
 
@@ -265,7 +265,8 @@ def main():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--fonts", type=pathlib.Path, nargs="+")
     arguments = parser.parse_args()
-    bench = Bench(arguments.build, arguments.quick, arguments.fonts or FACES)
+    bench = Bench(arguments.build.resolve(), arguments.quick,
+                  arguments.fonts or FACES)
     rows = roundtrip_rows()
     if not arguments.fonts:
         rows += other_rows()

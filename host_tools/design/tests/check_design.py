@@ -13,8 +13,7 @@ import tempfile
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
-SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
-          "host_tools/design/samples/pen_face.lua")
+SAMPLE = pathlib.Path(__file__).resolve().parents[1] / "samples/pen_face.lua"
 PROBLEMS = []
 
 
