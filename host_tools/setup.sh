@@ -2,9 +2,9 @@
 #
 #   . host_tools/setup.sh
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
-#   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
+#   inkcell_setup studio   # these, and what INKCELL_STUDIO needs on top
 #   inkcell_setup first    # demo, and what the tests' first lane needs on top
-#   inkcell_setup tests    # first, windows, and what the other tests need on top
+#   inkcell_setup tests    # first, studio, and what the other tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
 #   inkcell_setup reading  # what reads and judges small text
@@ -22,7 +22,7 @@ inkcell_packages_demo="g++ cmake ninja-build python3
   gcc-arm-none-eabi gcc-riscv64-unknown-elf
   qemu-system-arm qemu-system-misc fonts-dejavu-core"
 
-inkcell_packages_windows="$inkcell_packages_demo libsdl2-dev libimgui-dev
+inkcell_packages_studio="$inkcell_packages_demo libsdl2-dev libimgui-dev
   pkg-config liblua5.4-dev fonts-roboto-unhinted"
 
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
@@ -33,8 +33,8 @@ inkcell_packages_first="$inkcell_packages_demo
   fonts-inter-variable fonts-lato fonts-noto-cjk
   fonts-lohit-deva fonts-tlwg-loma-ttf"
 
-inkcell_packages_tests="$inkcell_packages_first libsdl2-dev libimgui-dev
-  pkg-config liblua5.4-dev clang lld nodejs make meson
+inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio
+  clang lld nodejs make meson
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
   fonts-dejavu-extra fonts-inter
@@ -49,9 +49,9 @@ inkcell_packages_exe="cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64
 
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
-# The packages of "$@" that are not installed.
+# The packages of "$@" that are not installed, each once.
 inkcell_missing() {
-  for package in "$@"; do
+  for package in $(printf '%s\n' "$@" | awk '!seen[$0]++'); do
     dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null |
       grep -qx installed || printf ' %s' "$package"
   done
@@ -60,7 +60,7 @@ inkcell_missing() {
 inkcell_setup() {
   case $1 in
     demo) inkcell_wanted=$inkcell_packages_demo ;;
-    windows) inkcell_wanted=$inkcell_packages_windows ;;
+    studio) inkcell_wanted=$inkcell_packages_studio ;;
     first) inkcell_wanted=$inkcell_packages_first ;;
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     web) inkcell_wanted=$inkcell_packages_web ;;
@@ -69,7 +69,7 @@ inkcell_setup() {
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|windows|first|tests|web|exe|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|studio|first|tests|web|exe|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

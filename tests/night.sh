@@ -59,7 +59,7 @@ bare() {
 }
 
 step host cmake -S . --preset host -DINKCELL_JOIN_FOLDERS=ON \
-  -DINKCELL_SECOND_LANE=ON &&
+  -DINKCELL_SECOND_LANE=ON -DINKCELL_STUDIO=ON &&
   step generator cmake --build build/host --target inkcell-fontgen
 wanted bench && step bench bench
 wanted programs && step programs programs

@@ -7,7 +7,8 @@
 #   --only    these steps, of either lane:
 #
 # first lane
-#   host                          core, ports, generator, tools; with --all the rest
+#   host                          core, ports, generator, tools; with --all the studio
+#                                 and the rest
 #   microbit lm3s6965evb riscv_virt    the same tests on emulated boards
 #   parent                        costs of drawing against the parent commit
 # second lane
@@ -113,8 +114,8 @@ await() {
   [ $? -lt 128 ] || echo '0 1 0' >>"$counts"
 }
 
-second_lane=ON
-[ $lane = all ] || second_lane=OFF
+rest=ON  # the second lane of tests, and the studio
+[ $lane = all ] || rest=OFF
 # One generator makes the fonts of all builds, but in --all those of the boards:
 # they find none at hand, as a user's do, and build one together.
 fontgen=-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen
@@ -127,7 +128,8 @@ case $only in
   fuzz | parent | web) ;;
   *)
     step configure-host cmake -S . --preset host -DINKCELL_JOIN_FOLDERS=ON \
-      -DINKCELL_SECOND_LANE=$second_lane "-DINKCELL_BOARD_BUILDS=$root/build" &&
+      -DINKCELL_SECOND_LANE=$rest -DINKCELL_STUDIO=$rest \
+      "-DINKCELL_BOARD_BUILDS=$root/build" &&
       step build-generator cmake --build build/host -j "$jobs" \
         --target inkcell-fontgen || {
       summary
@@ -151,7 +153,7 @@ for name in $only; do
   if [ -d "boards/$name" ]; then
     boards="$boards $name"
     build "$name" --preset "$name" -DINKCELL_JOIN_FOLDERS=ON \
-      -DINKCELL_SECOND_LANE=$second_lane "$boards_fontgen"
+      -DINKCELL_SECOND_LANE=$rest "$boards_fontgen"
   fi
 done
 if wanted host; then
@@ -175,7 +177,7 @@ done
 # Generator and tools with each source alone, as the preset builds them:
 # where folders are joined, a source may lean on what another includes.
 wanted alone && build alone --preset host -DINKCELL_TESTS=OFF \
-  -DINKCELL_SECOND_LANE=ON -DCMAKE_BUILD_TYPE=Debug \
+  -DINKCELL_STUDIO=ON -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG=-O0 "$fontgen"
 
 # Only what runs is of interest here, and not the tests that make whole fonts to
@@ -186,7 +188,7 @@ wanted alone && build alone --preset host -DINKCELL_TESTS=OFF \
 slow='fonts|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
 if wanted sanitize; then
   build host-sanitize --preset host-sanitize "$fontgen" \
-    -DINKCELL_SECOND_LANE=ON \
+    -DINKCELL_SECOND_LANE=ON -DINKCELL_STUDIO=ON \
     -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld &&  # links in a sixth of the time
     run_tests host-sanitize --timeout 2000 -E "^($slow)"
 fi
@@ -204,13 +206,13 @@ result=$?
 if [ "$only" = "$first" ]; then
   cat <<'END'
 
-The second lane (sh tests/run.sh --all) holds: the studio (host_tools/design),
-simulation (bodies, particles, level sets, prints), the field's splats and seams,
-judgements of seven faces, screens of the boards with displays, six more boards,
-complete programs and packages, sanitizers, fuzzers, a big-endian machine, -O0,
-and the page.
+The second lane (sh tests/run.sh --all) holds: the studio (host_tools/design), the
+simulator's window, simulation (bodies, particles, level sets, prints), the
+field's splats and seams, judgements of seven faces, screens of the boards with
+displays, six more boards, complete programs and packages, sanitizers, fuzzers, a
+big-endian machine, -O0, and the page.
 END
-  # What this machine lacks of the first lane: SDL, Clang, node.
+  # What this machine lacks of the first lane: Clang, node.
   grep -hE 'left out|not tested' "$logs/configure-host.log" | sed 's/^-- //'
 fi
 exit $result
