@@ -14,7 +14,8 @@
 # second lane
 #   lm3s811evb mps2_an385 mps2_an386 mps2_an500 mps2_an505 versatilepb
 #                                 the other boards
-#   alone                         each source compiled by itself, at -O0
+#   alone                         each source compiled by itself, at -O0, in the
+#                                 studio's own project
 #   sanitize                      host tests with address and undefined sanitizers
 #   big-endian                    host tests on an emulated PowerPC
 #   fuzz                          four fuzzers, 30 s
@@ -174,11 +175,16 @@ for board in $boards; do
   built "$board" && run_tests "$board"
 done
 
-# Generator and tools with each source alone, as the preset builds them:
-# where folders are joined, a source may lean on what another includes.
-wanted alone && build alone --preset host -DINKCELL_TESTS=OFF \
-  -DINKCELL_STUDIO=ON -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_CXX_FLAGS_DEBUG=-O0 "$fontgen"
+# The studio as a project of its own, and all that it is built over, with each
+# source alone: where folders are joined, a source may lean on what another
+# includes.
+if wanted alone; then
+  step configure-alone cmake -S host_tools/design -B build/alone -G Ninja \
+    -DINKCELL_TESTS=OFF -DINKCELL_ASSERTIONS=ON -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 "$fontgen" &&
+    step build-alone cmake --build build/alone -j "$jobs" \
+      --target all inkcell/all
+fi
 
 # Only what runs is of interest here, and not the tests that make whole fonts to
 # judge them, play whole scenes, or measure time, which takes minutes each: the
