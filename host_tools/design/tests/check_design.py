@@ -10,16 +10,12 @@ import subprocess
 import sys
 import tempfile
 
+from problems import expect, finish
+
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 SAMPLE = pathlib.Path(__file__).resolve().parents[1] / "samples/pen_face.lua"
-PROBLEMS = []
-
-
-def expect(condition, what):
-    if not condition:
-        PROBLEMS.append(what)
 
 
 def run(program, *arguments):
@@ -333,9 +329,7 @@ def main():
         check_components(design, folder)
         check_scripts(design, folder)
         check_pictures(design, folder)
-    for problem in PROBLEMS:
-        print(problem)
-    sys.exit(1 if PROBLEMS else 0)
+    finish()
 
 
 main()

@@ -10,10 +10,10 @@ import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import zlib
 
-from editor_script import Editor, expect, finish, points_of
+from editor_script import points_of, run_checks
+from problems import expect
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 LATO = "/usr/share/fonts/truetype/lato/Lato-Regular.ttf"
@@ -602,30 +602,14 @@ def check_errors(editor):
 
 
 def main():
-    program, render = (str(pathlib.Path(name).resolve())
-                       for name in sys.argv[1:])
-    with tempfile.TemporaryDirectory() as name:
-        editor = Editor(program, pathlib.Path(name))
-        check_edits(editor)
-        check_points(editor)
-        check_tools(editor)
-        check_new_font(editor)
-        check_overlaps(editor)
-        check_smooth_points(editor)
-        check_spacing(editor)
-        check_transform(editor)
-        check_parts(editor)
-        check_lua(editor)
-        check_clipboard(editor)
-        check_levels(editor)
-        check_latency(editor)
-        check_preview(editor, render)
-        check_screenshots(editor)
-        check_picture(editor)
-        check_layers(editor)
-        check_messages(editor)
-        check_errors(editor)
-    finish()
+    render = str(pathlib.Path(sys.argv[2]).resolve())
+    run_checks(check_edits, check_points, check_tools, check_new_font,
+               check_overlaps, check_smooth_points, check_spacing,
+               check_transform, check_parts, check_lua, check_clipboard,
+               check_levels, check_latency,
+               lambda editor: check_preview(editor, render),
+               check_screenshots, check_picture, check_layers, check_messages,
+               check_errors)
 
 
 main()

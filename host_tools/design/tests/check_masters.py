@@ -3,11 +3,8 @@ not, and glyphs between them.
 
 Usage: check_masters.py INKCELL_EDITOR
 """
-import pathlib
-import sys
-import tempfile
-
-from editor_script import Editor, expect, finish
+from editor_script import run_checks
+from problems import expect
 
 NEW = ("new M.ufo n,o,v Untitled 1000 800 -200 500 700", "glyph n",
        "tool Rectangle", "press 60 0", "move 140 500", "release 140 500",
@@ -100,15 +97,4 @@ def check_between(editor):
     expect(quarter == same != other, "a preview between masters")
 
 
-def main():
-    with tempfile.TemporaryDirectory() as name:
-        editor = Editor(str(pathlib.Path(sys.argv[1]).resolve()),
-                        pathlib.Path(name))
-        check_edits(editor)
-        check_mismatches(editor)
-        check_field(editor)
-        check_between(editor)
-    finish()
-
-
-main()
+run_checks(check_edits, check_mismatches, check_field, check_between)

@@ -4,12 +4,10 @@ curves and fields, and the sample.
 
 Usage: check_strokes.py INKCELL_EDITOR
 """
-import pathlib
 import re
-import sys
-import tempfile
 
-from editor_script import Editor, expect, finish, points_of
+from editor_script import points_of, run_checks
+from problems import expect
 
 NEW = "new P.ufo n,o,v Untitled 1000 800 -200 500 700"
 STEM = ("tool Stroke", "press 100 500", "move 100 400", "move 100 250",
@@ -232,19 +230,5 @@ def check_sample(editor):
     expect(again["width"] == changed["width"] == 570, "the sample again")
 
 
-def main():
-    with tempfile.TemporaryDirectory() as name:
-        editor = Editor(str(pathlib.Path(sys.argv[1]).resolve()),
-                        pathlib.Path(name))
-        check_knots(editor)
-        check_nibs(editor)
-        check_corners(editor)
-        check_change_of_paradigm(editor)
-        check_field_curves(editor)
-        check_mixed(editor)
-        check_snapping(editor)
-        check_sample(editor)
-    finish()
-
-
-main()
+run_checks(check_knots, check_nibs, check_corners, check_change_of_paradigm,
+           check_field_curves, check_mixed, check_snapping, check_sample)

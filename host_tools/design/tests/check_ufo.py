@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+from problems import expect, finish
+
 try:
     import fontmake  # run as a program
     import freetype
@@ -36,7 +38,6 @@ SIZES_PX = (12, 24, 64)
 # units together are 33/255 of a pixel at 64 px/em.
 CONVERSION_ERROR_EM = 0.0003
 MOST_OF_255 = 24
-PROBLEMS = []
 
 # One of each: strokes, a tree, a component, guides, an anchor, kerning, libs.
 COMMANDS = (
@@ -63,11 +64,6 @@ COMMANDS = (
     {"do": "set_glyph_lib", "glyph": "A", "key": "public.markColor",
      "value": "1,0,0,1"},
 )
-
-
-def expect(condition, what):
-    if not condition:
-        PROBLEMS.append(what)
 
 
 def run(*arguments):
@@ -227,9 +223,7 @@ def main():
             check_valid(project)
             check_compiled(design, project, folder)
         check_foreign(design, folder)
-    for problem in PROBLEMS:
-        print(problem)
-    sys.exit(1 if PROBLEMS else 0)
+    finish()
 
 
 main()

@@ -1,21 +1,11 @@
 """Runs inkcell-editor by scripts, without a display."""
 import json
+import pathlib
 import subprocess
 import sys
+import tempfile
 
-PROBLEMS = []
-
-
-def expect(condition, what):
-    if not condition:
-        PROBLEMS.append(what)
-
-
-def finish():
-    """Ends the program."""
-    for problem in PROBLEMS:
-        print(problem)
-    sys.exit(1 if PROBLEMS else 0)
+from problems import finish
 
 
 class Editor:
@@ -42,3 +32,13 @@ class Editor:
 
 def points_of(report):
     return [point for contour in report["contours"] for point in contour]
+
+
+def run_checks(*checks):
+    """Calls each with one editor, the first argument. Ends the program."""
+    with tempfile.TemporaryDirectory() as name:
+        editor = Editor(str(pathlib.Path(sys.argv[1]).resolve()),
+                        pathlib.Path(name))
+        for check in checks:
+            check(editor)
+    finish()

@@ -4,9 +4,9 @@ Usage: figures.py BUILD [--quick] [--fonts FILE...]
 
 BUILD is the build folder of the studio, with inkcell-design and tests/. With
 --quick few characters, strokes and masters, in less than a minute; without it
-ASCII of five faces and 100,000 strokes of about 8 ms each. --fonts names other faces than the
-five and measures the round trip only. Exits with 1 if a figure misses its
-'must'.
+ASCII of five faces and 100,000 strokes of about 8 ms each. --fonts names other
+faces than the five and measures the round trip only. Exits with 1 if a figure
+misses its 'must'.
 
 A new row is an entry of other_rows(): quantity, must, aim, unit, and a function
 of Bench that measures it.
