@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/output.hpp"
 #include "editor/edits.hpp"
 #include "editor/glyph_set.hpp"
 #include "editor/masters.hpp"
@@ -34,12 +33,6 @@ constexpr double kFitPart = 0.86;  // the em's part of the canvas
 // A line of text leaves room for the names of heights on its left.
 constexpr double kLinePart = 0.74;
 constexpr double kLineShift = 0.06;
-
-void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
-  gen::OutputFile file(path);
-  file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  file.commit();
-}
 
 // Commands on glyphs of the default layer alone.
 bool is_for_all_masters(const Value& command) {

@@ -6,13 +6,13 @@
 #include <map>
 #include <sstream>
 
-#include "app/output.hpp"
 #include "editor/actions.hpp"
 #include "editor/glyph_set.hpp"
 #include "editor/latency.hpp"
 #include "editor/lua_run.hpp"
 #include "editor/masters.hpp"
 #include "editor/report.hpp"
+#include "export/rom.hpp"
 #include "import/image_import.hpp"
 #include "model/error.hpp"
 #include "shape/points.hpp"
@@ -188,10 +188,7 @@ void save_preview(const Line& line) {
   const Preview preview = preview_of(line);
   const std::filesystem::path file = word(line, 0);
   if (file.extension() == ".bin") {
-    gen::OutputFile out(file);
-    out.write({reinterpret_cast<const char*>(preview.rom.data()),
-               preview.rom.size()});
-    out.commit();
+    write_bytes(file, preview.rom);
   } else {
     tools::write_image(file, preview.lines.at(0).image);
   }

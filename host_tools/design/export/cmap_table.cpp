@@ -32,18 +32,12 @@ BigEndian format_4(const std::map<char32_t, unsigned>& map) {
   std::vector<Run> list = runs(map, 0xfffe);
   list.push_back({0xffff, 0xffff, 0});
   const unsigned count = static_cast<unsigned>(list.size());
-  unsigned log2 = 0;
-  while (2u << log2 <= count) {
-    ++log2;
-  }
   BigEndian table;
   table.u16(4);
   table.u16(std::min(16 + 8 * count, 65535u));
   table.u16(0);
   table.u16(2 * count);
-  table.u16(2u << log2);
-  table.u16(log2);
-  table.u16(2 * count - (2u << log2));
+  table.search(count, 2);
   for (const Run& run : list) {
     table.u16(run.last);
   }

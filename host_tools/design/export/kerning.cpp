@@ -21,17 +21,11 @@ struct Pair {
 };
 
 void add_subtable(const Pair* pairs, size_t count, BigEndian& table) {
-  unsigned log2 = 0;
-  while (size_t{2} << log2 <= count) {
-    ++log2;
-  }
   table.u16(0);
   table.u16(static_cast<unsigned>(14 + 6 * count));
   table.u16(1);  // horizontal
   table.u16(static_cast<unsigned>(count));
-  table.u16(6u << log2);
-  table.u16(log2);
-  table.u16(6 * static_cast<unsigned>(count) - (6u << log2));
+  table.search(count, 6);
   for (size_t i = 0; i < count; ++i) {
     table.u16(pairs[i].left);
     table.u16(pairs[i].right);

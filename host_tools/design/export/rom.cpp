@@ -42,10 +42,7 @@ gen::RomFont make_rom(const Project& project,
                       gen::GenerateRequest request,
                       TtfReport* report) {
   const TemporaryFile file;
-  const std::vector<uint8_t> ttf = write_ttf(project, report);
-  gen::OutputFile out(file.path());
-  out.write({reinterpret_cast<const char*>(ttf.data()), ttf.size()});
-  out.commit();
+  write_bytes(file.path(), write_ttf(project, report));
   request.font = file.path();
   if (request.chars.empty() && request.symbols.empty() &&
       request.text_files.empty()) {
@@ -59,6 +56,12 @@ gen::RomFont make_rom(const Project& project,
     }
   }
   return gen::generate(request);
+}
+
+void write_bytes(const fs::path& file, const std::vector<uint8_t>& bytes) {
+  gen::OutputFile out(file);
+  out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  out.commit();
 }
 
 }  // namespace inkcell::design

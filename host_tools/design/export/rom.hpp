@@ -1,6 +1,10 @@
 // Projects as Inkcell fonts.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
 #include "export/ttf.hpp"
 #include "model/project.hpp"
 #include "pipeline/generate.hpp"
@@ -13,5 +17,9 @@ namespace inkcell::design {
 gen::RomFont make_rom(const Project& project,
                       gen::GenerateRequest request,
                       TtfReport* report = nullptr);
+
+/// Replaces a file by these bytes, whole or not at all. Throws gen::Error.
+void write_bytes(const std::filesystem::path& file,
+                 const std::vector<uint8_t>& bytes);
 
 }  // namespace inkcell::design

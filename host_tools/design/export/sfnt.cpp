@@ -19,17 +19,10 @@ uint32_t sum_of(const BigEndian& table) {
 
 std::vector<uint8_t> write_sfnt(
     const std::map<std::string, BigEndian>& tables) {
-  const unsigned count = static_cast<unsigned>(tables.size());
-  unsigned log2 = 0;
-  while (2u << log2 <= count) {
-    ++log2;
-  }
   BigEndian font;
   font.u32(0x00010000);
-  font.u16(count);
-  font.u16(16u << log2);
-  font.u16(log2);
-  font.u16(16 * count - (16u << log2));
+  font.u16(static_cast<unsigned>(tables.size()));
+  font.search(tables.size(), 16);
   size_t at = 12 + 16 * tables.size();
   size_t head = 0;
   for (const auto& [tag, table] : tables) {

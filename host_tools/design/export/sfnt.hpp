@@ -21,6 +21,18 @@ class BigEndian {
     u16(value >> 16);
     u16(value & 0xffff);
   }
+  /// Numbers to search a table of `count` entries by halves: the bytes of the
+  /// largest power of two of them, its logarithm, the bytes of the others.
+  void search(size_t count, unsigned bytes_an_entry) {
+    unsigned log2 = 0;
+    while (size_t{2} << log2 <= count) {
+      ++log2;
+    }
+    const unsigned searched = bytes_an_entry << log2;
+    u16(searched);
+    u16(log2);
+    u16(bytes_an_entry * static_cast<unsigned>(count) - searched);
+  }
   void u64(uint64_t value) {
     u32(static_cast<uint32_t>(value >> 32));
     u32(static_cast<uint32_t>(value));

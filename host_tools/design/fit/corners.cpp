@@ -97,18 +97,28 @@ class CornerFinder {
  private:
   const Point& point(size_t i) const { return loop_.points[i % count_]; }
 
-  // The contour's direction at `s`, which may be up to one round out of range.
-  // [radians]
-  double angle_at(double s) const {
+  // The place at arc length `s`, any number of rounds from the start: between
+  // points i - 1 and i, a part of the way.
+  struct Place {
+    double rounds;
+    size_t i;
+    double part;
+  };
+  Place place_at(double s) const {
     const double rounds = std::floor(s / lengths_.back());
     const double within = s - rounds * lengths_.back();
     const auto next =
         std::upper_bound(lengths_.begin(), lengths_.end() - 1, within);
     const size_t i = static_cast<size_t>(next - lengths_.begin());
     const double span = lengths_[i] - lengths_[i - 1];
-    const double f = span == 0 ? 0 : (within - lengths_[i - 1]) / span;
+    return {rounds, i, span == 0 ? 0 : (within - lengths_[i - 1]) / span};
+  }
+
+  // The contour's direction at `s`. [radians]
+  double angle_at(double s) const {
+    const auto [rounds, i, part] = place_at(s);
     return rounds * angle_.back() + angle_[i - 1] +
-           f * (angle_[i] - angle_[i - 1]);
+           part * (angle_[i] - angle_[i - 1]);
   }
 
   // The turn at this point beyond that of its sides.
@@ -192,13 +202,8 @@ class CornerFinder {
   }
 
   Point at(double s) const {
-    const double within = s - std::floor(s / lengths_.back()) * lengths_.back();
-    const auto next =
-        std::upper_bound(lengths_.begin(), lengths_.end() - 1, within);
-    const size_t i = static_cast<size_t>(next - lengths_.begin());
-    const double span = lengths_[i] - lengths_[i - 1];
-    const double f = span == 0 ? 0 : (within - lengths_[i - 1]) / span;
-    return point(i - 1) + f * (point(i) - point(i - 1));
+    const auto [rounds, i, part] = place_at(s);
+    return point(i - 1) + part * (point(i) - point(i - 1));
   }
 
   Sides sides(size_t k, double extent) const {

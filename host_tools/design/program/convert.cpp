@@ -30,12 +30,6 @@ struct ConvertArguments {
   gen::GenerateRequest request;
 };
 
-void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
-  gen::OutputFile file(path);
-  file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  file.commit();
-}
-
 void say_warnings(const gen::Warnings& warnings) {
   for (const gen::Warning& warning : warnings) {
     std::fprintf(stderr, "%s\n", warning.message().c_str());

@@ -239,9 +239,7 @@ Glyph parse_glif(const std::string& text, const std::string& file) {
 
 std::string write_glif(const Glyph& glyph) {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
+  declare_xml(document);
   pugi::xml_node root = document.append_child("glyph");
   root.append_attribute("name") = glyph.name.c_str();
   root.append_attribute("format") = "2";

@@ -165,6 +165,12 @@ Value parse_plist(const std::string& text, const std::string& name) {
   return read_plist_node(list.first_child(), name);
 }
 
+void declare_xml(pugi::xml_document& document) {
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+}
+
 std::string xml_text(const pugi::xml_document& document) {
   std::ostringstream out;
   document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);
@@ -173,9 +179,7 @@ std::string xml_text(const pugi::xml_document& document) {
 
 std::string write_plist(const Value& value) {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
+  declare_xml(document);
   document.append_child(pugi::node_doctype)
       .set_value(
           "plist PUBLIC \"-//Apple//DTD PLIST 1.0//EN\" "

@@ -24,6 +24,9 @@ void parse_xml(const std::string& text,
                const std::string& name,
                pugi::xml_document& document);
 
+/// Begins a document with its declaration.
+void declare_xml(pugi::xml_document& document);
+
 /// The text of a document, indented by two spaces.
 std::string xml_text(const pugi::xml_document& document);
 
