@@ -113,9 +113,9 @@ class Api:
             self.define(f"{text} = {value};\n")
         elif function:
             for name in self.each:
-                self.read_function(*(part and part.replace("{}", name)
-                                     for part in function.groups()),
-                                   joined(head, tail)[1])
+                parts = [part and part.replace("{Type}", name.capitalize())
+                         .replace("{}", name) for part in function.groups()]
+                self.read_function(*parts, joined(head, tail)[1])
             self.each = ["{}"]
         elif self.headers:
             before = self.headers[self.header][2].rpartition("\n")[0]
