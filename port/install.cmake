@@ -7,7 +7,7 @@ include(GNUInstallDirs)
 
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/inkcell)
 set(sources ${CMAKE_INSTALL_DATADIR}/inkcell)
-foreach(folder core port/pixel port/display port/c port/lvgl port/make)
+foreach(folder core port/pixel port/display port/c/examples port/lvgl port/make)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
     DESTINATION ${sources}/${folder}
     FILES_MATCHING
@@ -16,6 +16,11 @@ foreach(folder core port/pixel port/display port/c port/lvgl port/make)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/port/CMakeLists.txt
   DESTINATION ${sources}/port)
+# The interface for C as it was made: its users need no Python.
+get_target_property(include inkcell_port_c INTERFACE_INCLUDE_DIRECTORIES)
+install(DIRECTORY ${include} ${include}/../src DESTINATION ${sources}/port/c)
+install(FILES ${PROJECT_SOURCE_DIR}/port/c/CMakeLists.txt
+  DESTINATION ${sources}/port/c)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${sources})
 
 write_basic_package_version_file(

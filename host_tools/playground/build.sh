@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the page: inkcell.html, one file that needs no server, and the folder
 # site, the same for a web server. Beside both lies the library, which the page
-# links: inkcell-<version>.tar.gz.
+# links, with its interface for C as it is made: inkcell-<version>.tar.gz.
 #
 #   sh host_tools/playground/build.sh [FOLDER]     # build/web
 #
@@ -18,7 +18,7 @@ library=$folder/inkcell-$version.tar.gz
 tar --create --gzip --file "$library" --sort=name --owner=0 --group=0 --numeric-owner \
   --exclude=__pycache__ --exclude=docs/img --transform 's,^,inkcell/,' \
   CMakeLists.txt LICENSE README.md core docs fonts_gen idf_component.yml library.json \
-  meson.build meson_options.txt port zephyr
+  meson.build meson_options.txt port zephyr -C "$folder/core" port/c/include port/c/src
 node host_tools/playground/build.mjs "$folder/core/inkcell.wasm" \
   "$folder/generator" "$folder/sources/versions.txt" \
   /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder/inkcell.html" "$folder/site"

@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -22,8 +23,7 @@ FOLDERS = {"core/include": ".", "core/src": ".",
            **{f"core/{name}/include": "." for name in LIBRARIES},
            **{f"core/{name}/src": name for name in LIBRARIES},
            "port/pixel/include": ".", "port/display/include": ".",
-           "port/pixel/src": "pixel", "port/display/src": "display",
-           "port/c/include": ".", "port/c/src": "c"}
+           "port/pixel/src": "pixel", "port/display/src": "display"}
 # Where a sketch draws; the name of its font, and the characters.
 FONTS = {"Hello": ("digits", "0123456789: ")}
 DEFAULT_FONT = ("sans", "".join(map(chr, range(0x20, 0x7f))) + "\u00b0")
@@ -79,10 +79,14 @@ def main():
             sys.exit(f"{path or arguments.fontgen}: no such file; FONTGEN is the path "
                      "of inkcell-fontgen (docs/BUILD.md, \"Get the generator\")")
     folder.mkdir(parents=True)
-    for source, target in FOLDERS.items():
-        shutil.copytree(ROOT / source, folder / "src" / target,
-                        dirs_exist_ok=True,
-                        ignore=shutil.ignore_patterns("*.md"))
+    with tempfile.TemporaryDirectory() as made:
+        subprocess.run([sys.executable, "-B", ROOT / "port/c/make_api.py", made],
+                       check=True)
+        of_c = {f"{made}/include": ".", f"{made}/src": "c"}
+        for source, target in {**FOLDERS, **of_c}.items():
+            shutil.copytree(ROOT / source, folder / "src" / target,
+                            dirs_exist_ok=True,
+                            ignore=shutil.ignore_patterns("*.md"))
     shutil.copy(HERE / "InkcellPrint.h", folder / "src")
     (folder / "src/Inkcell.h").write_text(all_headers())
     properties = (HERE / "library.properties").read_text()

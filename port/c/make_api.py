@@ -1,11 +1,14 @@
-"""Makes headers and sources of the interface for C from its tables: api.txt, and
-port/display/c_api.txt for drivers of displays.
+"""Makes the interface for C, include/ and src/ of a folder, from its tables: api.txt,
+and port/display/c_api.txt for drivers of displays. mirror.hpp and painter_of.cpp,
+which are written by hand, go to src/, too.
 
-Usage: make_api.py [FOLDER]
+Usage: make_api.py FOLDER
 
-Writes include/ and src/ of FOLDER, by default of the one that this file is in.
+A file that is the same is left alone, one that was made before and is not made any
+more is removed.
 """
 import fnmatch
+import os
 import pathlib
 import re
 import sys
@@ -15,6 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 WIDTH = 80
 TABLES = ("port/c/api.txt", "port/display/c_api.txt")
+BY_HAND = ("mirror.hpp", "painter_of.cpp")
 MADE = "// Made by port/c/make_api.py from {}: edit that instead.\n"
 SOURCE = f"""// clang-format off
 {MADE}#include "mirror.hpp"
@@ -209,6 +213,8 @@ class Api:
         return {**{f"include/inkcell/{name}": self.header_text(*header)
                    for name, header in self.headers.items()},
                 **{f"src/{name}": text for name, text in self.sources.items()},
+                **{f"src/{name}": MADE.format(f"port/c/{name}") +
+                   (HERE / name).read_text() for name in BY_HAND},
                 "src/checks.cpp":
                     SOURCE.format("its tables") + CHECKS + self.checks,
                 "src/twins.hpp":
@@ -218,17 +224,32 @@ class Api:
                     "}  // namespace c\n}  // namespace inkcell\n"}
 
 
+def write(path, text):
+    """Writes a file if it differs; whoever reads it meanwhile reads all of it."""
+    if path.exists() and path.read_text() == text:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    new = path.with_suffix(f".{os.getpid()}")
+    new.write_text(text)
+    new.replace(path)
+
+
 def main():
-    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE)
+    if len(sys.argv) != 2:
+        sys.exit("usage: make_api.py FOLDER")
+    folder = pathlib.Path(sys.argv[1])
     api = Api()
     # Lines that are indented belong to the one before them.
     for api.table in TABLES:
         for head, tail in re.findall(r"(?m)^(|[^# ].*|#\w.*)\n((?: .*\n)*)",
                                      (ROOT / api.table).read_text()):
             api.read(head, tail.splitlines())
-    for name, text in api.files().items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text)
+    files = {folder / name: text for name, text in api.files().items()}
+    for path, text in files.items():
+        write(path, text)
+    for path in [*folder.glob("include/inkcell/**/*.h"), *folder.glob("src/*.?pp")]:
+        if path not in files and MADE.split("{")[0] in path.read_text():
+            path.unlink()
 
 
 main()

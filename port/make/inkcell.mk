@@ -27,8 +27,12 @@
 # needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
 # c (which needs all but simulation and stored). Set it before the include; by default
 # it is pixel and display.
+#
+# The interface for C is made in $(INKCELL_BUILD)/port/c by $(INKCELL_PYTHON), before
+# Make goes on. A release and an installation have it made.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
+INKCELL_PYTHON ?= python3
 INKCELL_LIBRARIES ?= pixel display
 INKCELL_KNOWN := pixel display cache field layout motion simulation stored c
 ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
@@ -48,7 +52,15 @@ INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(sort \
   $(addprefix $(INKCELL)/core/,$(filter cache field layout motion simulation stored,$(INKCELL_LIBRARIES))) \
-  $(addprefix $(INKCELL)/port/,$(filter pixel display c,$(INKCELL_LIBRARIES))))
+  $(addprefix $(INKCELL)/port/,$(filter pixel display,$(INKCELL_LIBRARIES))))
+ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
+  ifneq ($(wildcard $(INKCELL)/port/c/include),)
+    INKCELL_PARTS += $(INKCELL)/port/c
+  else
+    INKCELL_PARTS += $(INKCELL_BUILD)/port/c
+    inkcell_made := $(INKCELL_BUILD)/port/c/made.mk
+  endif
+endif
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))
 ifeq ($(INKCELL_SOURCES),)
@@ -60,12 +72,27 @@ INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
   -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
   -ffunction-sections -fdata-sections
 
-INKCELL_OBJECTS := $(patsubst $(INKCELL)/%.cpp,$(INKCELL_BUILD)/%.o,$(INKCELL_SOURCES))
-$(INKCELL_BUILD)/%.o: $(INKCELL)/%.cpp
+INKCELL_OBJECTS := $(patsubst $(INKCELL)/%.cpp,$(INKCELL_BUILD)/%.o, \
+  $(INKCELL_SOURCES:$(INKCELL_BUILD)/%.cpp=$(INKCELL_BUILD)/%.o))
+define inkcell_compile
 	mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(INKCELL_FLAGS) -MMD -MP -c $< -o $@
+endef
+$(INKCELL_BUILD)/%.o: $(INKCELL)/%.cpp
+	$(inkcell_compile)
+$(INKCELL_BUILD)/%.o: $(INKCELL_BUILD)/%.cpp
+	$(inkcell_compile)
 inkcell_goal := $(.DEFAULT_GOAL)
 -include $(INKCELL_OBJECTS:.o=.d)
+# Make makes a file that it includes, and then begins anew: it finds the sources.
+include $(inkcell_made)
+$(INKCELL_BUILD)/port/c/made.mk: $(INKCELL)/port/c/make_api.py \
+    $(wildcard $(INKCELL)/port/c/*.* $(INKCELL)/port/display/c_api.txt)
+	@command -v $(INKCELL_PYTHON) > /dev/null || { echo >&2 "inkcell.mk: there is no" \
+	  "$(INKCELL_PYTHON), which makes the interface for C: install Python 3.9 or newer," \
+	  "or name it by INKCELL_PYTHON"; exit 1; }
+	$(INKCELL_PYTHON) -B $< $(@D)
+	touch $@
 .DEFAULT_GOAL := $(inkcell_goal)
 
 # $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>). Make

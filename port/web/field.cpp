@@ -30,7 +30,7 @@ inkcell_status_t web_field(const web_job_t* job, uint32_t code_point) {
   if (job->pixels_size < (WEB_FIELD_HEAD + 4 * points) * sizeof(int32_t)) {
     return INKCELL_BUFFER_SMALL;
   }
-  // The types of C are those of C++ in the same memory (port/c/src/mirror.hpp).
+  // The types of C are those of C++ in the same memory (port/c/mirror.hpp).
   const Font& font = reinterpret_cast<const Font&>(opened);
   FieldLimits limits;
   limits.band_u = kMargin;

@@ -31,7 +31,7 @@ inkcell_status_t web_morph(const web_job_t* job,
   if (status != INKCELL_OK) {
     return status;
   }
-  // The types of C are those of C++ in the same memory (port/c/src/mirror.hpp).
+  // The types of C are those of C++ in the same memory (port/c/mirror.hpp).
   const Font& font = reinterpret_cast<const Font&>(opened);
   motion::GlyphMorph morph(font, Q26_6::from_raw(job->size_q6), kFilterMotion,
                            {width, height, baseline, job->size_q6 >= 80 * 64},

@@ -84,7 +84,7 @@ inkcell_status_t web_points(const web_job_t* job, uint32_t code_point) {
   if (status != INKCELL_OK) {
     return status;
   }
-  // The types of C are those of C++ in the same memory (port/c/src/mirror.hpp).
+  // The types of C are those of C++ in the same memory (port/c/mirror.hpp).
   const Font& font = reinterpret_cast<const Font&>(opened);
   GridHints hints;
   const Status read = GridHints::open(font, hints);

@@ -1,5 +1,5 @@
-"""Compares the C interface with its table, and links its examples with a C
-compiler, and nothing of C++.
+"""Makes the C interface again, and links its examples with a C compiler, and nothing
+of C++.
 
 A program of C needs no C++ library: without any library but stand-ins for what
 memory moves need, nothing is missing. It has what it calls and nothing else.
@@ -9,17 +9,13 @@ interface each example takes on Cortex-M0 at -Os.
 Usage: check_c.py WORK_FOLDER BUILD_FOLDER
 """
 import re
-import sys
+import shutil
 
-from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, ROOT, archives, arguments,
-                        c_compiler, call, compile_object, finish, in_parallel,
-                        require, run)
+from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, MADE, MAKE_API, ROOT, archives,
+                        arguments, c_compiler, call, compile_object, finish,
+                        in_parallel, require, run)
 
-PORT = ROOT / "port/c"
-HEADERS = PORT / "include/inkcell/c"
-EXAMPLES = PORT / "examples"
-# What the table does not make.
-BY_HAND = {"src/mirror.hpp", "src/painter_of.cpp"}
+EXAMPLES = ROOT / "port/c/examples"
 
 # How each example is called, with a font that is none.
 CALLS = {
@@ -77,31 +73,43 @@ WITH = {"label": "MonoPages", "clock": "GlyphStore", "paragraph": "TextBox::",
 
 
 def files_of(folder):
-    return {str(path.relative_to(folder)): path.read_text()
-            for part in ("include", "src")
-            for path in (folder / part).rglob("*.*") if path.is_file()}
+    """When each file was written, and what it holds."""
+    return {path.relative_to(folder): (path.stat().st_mtime_ns, path.read_text())
+            for path in folder.rglob("*.*")}
 
 
-def check_table(work):
-    """Headers and sources are what the table makes, and there are no others."""
+def check_again(work):
+    """What is made again is left alone where it is the same. What is not made any
+    more is removed, and what others wrote is not."""
     folder = work / "made"
-    made = run([sys.executable, "-B", PORT / "make_api.py", folder])
-    if made.returncode != 0:
-        return [made.stdout]
-    wanted, there = files_of(folder), files_of(PORT)
-    if not wanted:
-        return ["port/c/make_api.py makes no files"]
-    return ([f"port/c/{name} is not what port/c/api.txt makes: change the "
-             "table and run python3 port/c/make_api.py"
-             for name in sorted(wanted) if there.get(name) != wanted[name]] +
-            [f"port/c/{name} is not in port/c/api.txt: remove the file, or add "
-             "it to BY_HAND of check_c.py"
-             for name in sorted(there.keys() - wanted.keys() - BY_HAND)])
+    shutil.copytree(MADE, folder)
+    (folder / "src/own.cpp").write_text("// Of somebody else.\n")
+    wanted = files_of(folder)
+    shutil.copy(folder / "src/font.cpp", folder / "src/gone.cpp")
+    shutil.copy(folder / "include/inkcell/c/font.h", folder / "include/inkcell/c/gone.h")
+    call(*MAKE_API, folder)
+    found = files_of(folder)
+    return [f"made again, {name} is not as it was" for name in
+            sorted(name for name in wanted.keys() | found.keys()
+                   if wanted.get(name) != found.get(name))]
+
+
+def check_build(build):
+    """CMake has made and compiled what the tables make now."""
+    problems = [f"{build}/port/c/{name} is not what port/c/make_api.py makes: build "
+                "inkcell_port_c" for name, (_, text) in files_of(MADE).items()
+                if not (build / "port/c" / name).exists() or
+                (build / "port/c" / name).read_text() != text]
+    wanted = {f"{path.name}.o" for path in MADE.glob("src/*.cpp")}
+    objects = set(call("ar", "t", archives(build)[0]).split())
+    return problems + [f"port/c/CMakeLists.txt and make_api.py do not both have {name}"
+                       for name in sorted(wanted ^ objects)]
 
 
 def declared():
     """Functions of the headers."""
-    text = "".join(path.read_text() for path in sorted(HEADERS.glob("*.h")))
+    text = "".join(path.read_text()
+                   for path in sorted(MADE.glob("include/inkcell/c/*.h")))
     text = re.sub(r"//.*", "", text)
     text = re.sub(r"(?m)^\s*#.*(\\\n.*)*", "", text)
     return set(re.findall(r"\b(inkcell_\w+)\(", text))
@@ -167,7 +175,7 @@ def print_sizes(folder):
     problems, sizes = [], {}
     for target, result in in_parallel(
             compile_layer, [(source, folder) for source in
-                            sorted((ROOT / "port/c/src").glob("*.cpp"))]):
+                            sorted(MADE.glob("src/*.cpp"))]):
         if result.returncode != 0:
             problems.append(result.stdout)
             continue
@@ -187,8 +195,8 @@ def print_sizes(folder):
 
 def main():
     work, build = arguments()
-    require(["gcc", "nm", COMPILERS["Cortex-M0"][0][0]])
-    problems = check_table(work)
+    require(["ar", "gcc", "nm", COMPILERS["Cortex-M0"][0][0]])
+    problems = check_again(work) + check_build(build)
     problems += check_functions(archives(build)[0])
     all_names = call("nm", "-C", "--defined-only", *archives(build))
     problems += [f"{name} is nowhere: the test looks for nothing"

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-from toolchains import ROOT, finish, run
+from toolchains import MADE, ROOT, finish, run
 
 SOURCES = (".hpp", ".cpp", ".h", ".c", ".cmake", ".py", ".sh")
 
@@ -74,7 +74,8 @@ def check_paths(name, text):
 def check_names(name, text, code):
     """Headers and options of CMake that a document names and that no source has."""
     folders = [*ROOT.glob("core/include"), *ROOT.glob("core/*/include"),
-               *ROOT.glob("port/*/include"), ROOT / "port/c/include/inkcell"]
+               *ROOT.glob("port/*/include"), MADE / "include",
+               MADE / "include/inkcell"]
     headers = set(re.findall(r"[`<](inkcell/[\w./]+\.hp{0,2})[`>]", text))
     options = set(re.findall(r"\bINKCELL_[A-Z0-9_]+", text))
     return ([f"{name}: names {header}: no such header" for header in sorted(headers)

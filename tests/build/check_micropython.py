@@ -10,7 +10,7 @@ import os
 import pathlib
 import re
 
-from toolchains import C_WARNINGS, FONT, ROOT, archives, arguments, finish, run
+from toolchains import C_WARNINGS, FONT, MADE, ROOT, archives, arguments, finish, run
 
 MODULE = ROOT / "port/micropython/inkcell/inkcell_module.c"
 HERE = ROOT / "tests/build/micropython"
@@ -28,7 +28,7 @@ def check_played(work):
     (work / "qstrs.h").write_text("enum { " + ", ".join(names) + " };\n")
     result = run(["gcc", *C_WARNINGS, "-Wno-pedantic", "-fsyntax-only",
                   f"-I{work}", f"-I{HERE / 'played'}",
-                  f"-I{ROOT / 'port/c/include'}", MODULE])
+                  f"-I{MADE / 'include'}", MODULE])
     return [result.stdout] if result.returncode != 0 else []
 
 
@@ -43,7 +43,7 @@ def check_real(sources, work, build, fontgen):
              f"USER_C_MODULES={ROOT / 'port/micropython'}"],
             [fontgen, f"--font={FONT}", "--symbols=0123456789.\u00b0CA ",
              "--name=sans", "--format=bin", "--quiet", f"--out={font}"],
-            ["gcc", "-std=c99", f"-I{ROOT / 'port/c/include'}",
+            ["gcc", "-std=c99", f"-I{MADE / 'include'}",
              HERE / "expected.c", *archives(build), "-o", expected],
             [expected, font, work / "wanted"]):
         result = run(command)

@@ -11,7 +11,7 @@ import re
 import shutil
 import sys
 
-from toolchains import (COMPILERS, ROOT, WARNINGS,
+from toolchains import (COMPILERS, MADE, ROOT, WARNINGS,
                         compile_object, device_sources, finish, in_parallel,
                         require, run)
 from limits import LIMITS
@@ -164,7 +164,8 @@ def main():
                                           for level in LEVELS])
     problems = [f"{machine} {level}: {problem}"
                 for machine, level, _, _, found in results for problem in found]
-    headers = [*ROOT.glob("core/**/*.hpp"), *ROOT.glob("port/*/**/*.hpp")]
+    headers = [*ROOT.glob("core/**/*.hpp"), *ROOT.glob("port/*/*/**/*.hpp"),
+               *MADE.glob("src/*.hpp")]
     for path in sources + headers:
         problems += check_includes(path)
     print_table(results)

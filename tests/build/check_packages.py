@@ -15,7 +15,7 @@ import re
 
 from packages import (arduino, cmake_projects, esp_idf, file_list, make, meson,
                       platformio, zephyr)
-from toolchains import LIBRARIES, ROOT, arguments, finish, require
+from toolchains import LIBRARIES, MADE, ROOT, arguments, finish, require
 import limits
 
 # What the routes may differ by: Meson links as C++, with functions of another
@@ -31,8 +31,7 @@ def listed_in_cmake():
                      *(ROOT / f"core/{name}/CMakeLists.txt"
                        for name in LIBRARIES),
                      ROOT / "port/pixel/CMakeLists.txt",
-                     ROOT / "port/display/CMakeLists.txt",
-                     ROOT / "port/c/CMakeLists.txt"]
+                     ROOT / "port/display/CMakeLists.txt"]
         for name in re.findall(r"src/[\w/]+\.cpp", path.read_text()))
 
 
@@ -45,14 +44,17 @@ def main():
                                *(path for name in LIBRARIES for path in
                                  ROOT.glob(f"core/{name}/src/*.cpp")),
                                *ROOT.glob("port/*/src/*.cpp")]))
-    # Without LVGL its sources have no sense.
+    # The interface for C is made by each system in a folder of its own. Without LVGL
+    # its sources have no sense.
     present = [path for path in present if "/port/lvgl/" not in path]
     if sources != present:
         problems.append(f"CMake lacks {set(present) - set(sources)} or has too "
                         f"much: {set(sources) - set(present)}")
+    sources = sorted([*sources, *map(str, MADE.glob("src/*.cpp"))])
     passed = 1
     for package in (esp_idf, zephyr, platformio):
-        found = sorted(package.sources(work / package.__name__, fontgen))
+        found = sorted(re.sub(".*/port/c/(?=src/)", f"{MADE}/", path) for path in
+                       package.sources(work / package.__name__, fontgen))
         passed += 1
         if found != sources:
             lacks = sorted(set(sources) - set(found))

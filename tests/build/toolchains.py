@@ -9,6 +9,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # of limits.py
 
+# The interface for C, where PlatformIO and Meson make it, too.
+MADE = ROOT / "build/port/c"
+MAKE_API = [sys.executable, "-B", ROOT / "port/c/make_api.py"]
+subprocess.run([*MAKE_API, MADE], check=True)
+
 # The folders of core that are libraries of their own, each before those that use it.
 LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored")
 
@@ -32,7 +37,7 @@ C_WARNINGS = [
 INCLUDES = ["-I" + str(path) for path in
             [ROOT / "core/include", ROOT / "core/src",
              *(ROOT / f"core/{name}/include" for name in LIBRARIES),
-             *sorted(ROOT.glob("port/*/include"))]]
+             *sorted(ROOT.glob("port/*/include")), MADE / "include"]]
 
 # Name, compiler with its flags, prefix of the binary tools.
 ARM = "arm-none-eabi-"
@@ -64,7 +69,8 @@ def device_sources():
                    *(path for name in LIBRARIES
                      for path in ROOT.glob(f"core/{name}/src/*.cpp")),
                    *(path for path in ROOT.glob("port/*/src/*.cpp")
-                     if path.parts[-3] != "lvgl")])
+                     if path.parts[-3] != "lvgl"),
+                   *MADE.glob("src/*.cpp")])
 
 
 def device_headers():
@@ -78,7 +84,7 @@ def device_headers():
 
 def c_headers():
     """Public headers of the C interface, likewise."""
-    root = ROOT / "port/c/include"
+    root = MADE / "include"
     return sorted(str(path.relative_to(root)) for path in root.glob("**/*.h"))
 
 

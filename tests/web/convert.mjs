@@ -77,8 +77,9 @@ for (const ending of ['hpp', 'c', 'h', 'bin']) {
 }
 assert.equal(await text(page, 'cmake'), 'inkcell_add_font(app NAME DejaVuSerif FONT ' +
   'DejaVuSerif.ttf CHARS 0x20-0x7E SYMBOLS öß)');
-const includes = ['core', 'core/field', 'core/layout', 'core/cache', 'port/pixel', 'port/c']
-  .flatMap((part) => ['-I', `${ROOT}${part}/include`]);
+const includes = [...['core', 'core/field', 'core/layout', 'core/cache', 'port/pixel']
+  .map((part) => `${ROOT}${part}`), `${dirname(file)}/core/port/c`]
+  .flatMap((part) => ['-I', `${part}/include`]);
 const compile = (program, language, input) => execFileSync(program,
   ['-fsyntax-only', '-Wall', '-Werror', '-I', folder, ...includes, '-x', language, '-'],
   {input, encoding: 'utf8'});

@@ -3,17 +3,15 @@
 #   make -C ports/esp32 USER_C_MODULES=<this file>
 #
 # inkcell_module.c says how it is used.
-get_filename_component(inkcell ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
-set(parts core core/cache core/field core/layout core/motion port/pixel
-  port/display port/c)
-add_library(usermod_inkcell INTERFACE)
-foreach(part ${parts})
-  file(GLOB_RECURSE sources ${inkcell}/${part}/src/*.cpp)
-  target_sources(usermod_inkcell INTERFACE ${sources})
-  target_include_directories(usermod_inkcell INTERFACE ${inkcell}/${part}/include)
+set(CONFIG_INKCELL_C y)
+foreach(name CACHE FIELD LAYOUT MOTION)  # which it needs
+  set(CONFIG_INKCELL_${name} y)
 endforeach()
-target_sources(usermod_inkcell INTERFACE
+include(${CMAKE_CURRENT_LIST_DIR}/../../libraries.cmake)
+add_library(usermod_inkcell INTERFACE)
+target_sources(usermod_inkcell INTERFACE ${inkcell_sources}
   ${CMAKE_CURRENT_LIST_DIR}/inkcell_module.c)
-target_include_directories(usermod_inkcell INTERFACE ${inkcell}/core/src)
+target_include_directories(usermod_inkcell INTERFACE
+  ${inkcell_includes} ${root}/core/src)
 target_compile_features(usermod_inkcell INTERFACE cxx_std_17)
 target_link_libraries(usermod INTERFACE usermod_inkcell)

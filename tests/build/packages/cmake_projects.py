@@ -2,9 +2,9 @@
 import json
 import re
 
-from packages.consumer import (COMPILE, LINK, check_libraries, code_of, size_of,
-                               write_sources)
-from toolchains import FONT, ROOT, call, finish
+from packages.consumer import (COMPILE, CPU, LINK, check_libraries, code_of,
+                               size_of, write_sources)
+from toolchains import FONT, ROOT, call, finish, run
 
 TOOLCHAIN = """set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
@@ -21,11 +21,18 @@ target_link_libraries(app PRIVATE inkcell::layout inkcell::port_pixel)
 add_executable(fields EXCLUDE_FROM_ALL fields.cpp)
 set_target_properties(fields PROPERTIES LINKER_LANGUAGE C)
 target_link_libraries(fields PRIVATE inkcell::field inkcell::port_pixel)
+add_executable(in_c EXCLUDE_FROM_ALL in_c.c)
+set_target_properties(in_c PROPERTIES LINKER_LANGUAGE C)
+target_link_libraries(in_c PRIVATE inkcell::c)
 inkcell_add_font(app FONT {font} NAME dejavu_sans CHARS 0x20-0x7E)
 """
 FETCH = """include(FetchContent)
 FetchContent_Declare(inkcell SOURCE_DIR {root})
 FetchContent_MakeAvailable(inkcell)"""
+IN_C = """#include <inkcell/inkcell.h>
+
+int main(void) { return inkcell_status_name(INKCELL_OK)[0]; }
+"""
 # A program that opens no font of outlines, with filters of both kinds.
 FIELDS = """#include <inkcell/field/draw.hpp>
 #include <inkcell/painter.hpp>
@@ -87,11 +94,13 @@ def build(work, host_build, fontgen):
         folder = work / name
         write_sources(folder)
         (folder / "fields.cpp").write_text(FIELDS)
+        (folder / "in_c.c").write_text(IN_C)
         (folder / "CMakeLists.txt").write_text(
             PROJECT.format(get=get, font=FONT))
         call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
              f"-DCMAKE_TOOLCHAIN_FILE={toolchain}",
              "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+             f"-DCMAKE_C_FLAGS={' '.join([*CPU, '-Os'])}",
              f"-DCMAKE_CXX_FLAGS={' '.join(COMPILE)}",
              f"-DCMAKE_EXE_LINKER_FLAGS={' '.join(LINK)}", *options)
         check_flags(folder / "build")
@@ -101,7 +110,23 @@ def build(work, host_build, fontgen):
         call("cmake", "--build", folder / "build", "--target", "app")
         check_libraries(name, (folder / "build").rglob("*.o*"), ["layout"])
         sizes[name] = size_of(folder / "build/app")
+    check_c(work)
     return sizes
+
+
+def check_c(work):
+    """Ends the test unless an installation serves programs of C without Python, a
+    build does nothing twice, and one that lacks Python names the remedy."""
+    for name in ("find_package", "subdirectory"):
+        call("cmake", "-DCMAKE_DISABLE_FIND_PACKAGE_Python3=ON", work / name / "build")
+    installed = work / "find_package/build"
+    call("cmake", "--build", installed, "--target", "in_c")
+    again = call("ninja", "-C", installed, "in_c")
+    if "no work to do" not in again:
+        finish(0, [f"a second build does work: {again}"])
+    said = run(["cmake", "--build", work / "subdirectory/build", "--target", "in_c"])
+    if said.returncode == 0 or "-DPython3_EXECUTABLE=PATH" not in said.stdout:
+        finish(0, [f"without Python: {said.stdout}"])
 
 
 def readme_code(work, fontgen):

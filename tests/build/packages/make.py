@@ -47,14 +47,21 @@ def build(work, _, fontgen):
     size = size_of(folder / "app.elf")
 
     (folder / "of_c.mk").write_text(OF_C)
-    listed = call(*make, "-f", "of_c.mk",
-                  "INKCELL_LIBRARIES=c simulation stored").split()
+    of_c = [*make, "-f", "of_c.mk", "INKCELL_LIBRARIES=c simulation stored"]
+    listed = call(*of_c).split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
     if "U+B0,U+B1 --quiet" not in (fonts / "in_c.options").read_text():
         stop("options after a comma are lost")
     call("arm-none-eabi-gcc", *CPU, "-std=c99", "-c", fonts / "in_c.c", "-o",
          folder / "in_c.o")
+    made = "build/inkcell/port/c/src/types.o"
+    call(*of_c, made)
+    if run([*of_c, "-q", made]).returncode != 0:
+        stop("the interface for C is made again")
+    said = run([*of_c, "INKCELL_BUILD=build/other", "INKCELL_PYTHON=no-python"])
+    if said.returncode == 0 or "name it by INKCELL_PYTHON" not in said.stdout:
+        stop(f"without Python: {said.stdout}")
     said = run([*make, "INKCELL_LIBRARIES=layuot"])
     if said.returncode == 0 or "there is no layuot" not in said.stdout:
         stop(f"a library that is not there: {said.stdout}")

@@ -1,8 +1,9 @@
 """PlatformIO: library.json, and its script in an environment that is played."""
 import json
+import types
 
 from packages.consumer import FONT_OPTIONS
-from toolchains import FONT, ROOT, finish
+from toolchains import FONT, MADE, ROOT, finish
 
 
 class Environment:
@@ -35,9 +36,11 @@ def run_script(script, folder, fontgen):
     times = []
     for _ in range(2):  # the second time there is nothing to do
         exec(compile(script.read_text(), str(script), "exec"),
-             {"Import": lambda name: None, "env": environment})
+             {"Import": lambda *names: None, "env": environment,
+              "pio_lib_builder": types.SimpleNamespace(path=str(ROOT))})
         times.append((made / "fonts/dejavu_sans.hpp").stat().st_mtime_ns)
-    if times[0] != times[1] or environment.includes[0] != str(made):
+    if times[0] != times[1] or environment.includes[:2] != [
+            str(MADE / "include"), str(made)]:
         finish(0, ["PlatformIO: the font is made twice, or not found"])
 
 

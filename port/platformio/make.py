@@ -1,5 +1,6 @@
-"""Makes the fonts of a PlatformIO project: each line of custom_inkcell_fonts in
-its environment is the arguments of one call of inkcell-fontgen, without --out.
+"""Makes the interface for C, in build/port/c of the library: PlatformIO compiles what
+lies there. And makes the fonts of a project: each line of custom_inkcell_fonts in its
+environment is the arguments of one call of inkcell-fontgen, without --out.
 
     custom_inkcell_fonts =
         --font=fonts/DejaVuSans.ttf --name=dejavu_sans --chars=0x20-0x7E
@@ -11,8 +12,13 @@ import pathlib
 import re
 import shlex
 import subprocess
+import sys
 
-Import("env")  # of the library, from PlatformIO
+Import("env", "pio_lib_builder")  # of the library, from PlatformIO
+
+library = pathlib.Path(pio_lib_builder.path)
+made = library / "build/port/c"
+subprocess.run([sys.executable, "-B", library / "port/c/make_api.py", made], check=True)
 
 fontgen = env.GetProjectOption("custom_inkcell_fontgen", "inkcell-fontgen")
 include = pathlib.Path(env.subst("$BUILD_DIR")) / "inkcell_fonts"
@@ -32,4 +38,4 @@ for line in env.GetProjectOption("custom_inkcell_fonts", "").splitlines():
     subprocess.run([fontgen, *arguments, "--quiet", f"--out={header}"],
                    check=True, cwd=env.subst("$PROJECT_DIR"))
     recipe.write_text(line)
-env.Append(CPPPATH=[str(include)])
+env.Append(CPPPATH=[str(made / "include"), str(include)])
