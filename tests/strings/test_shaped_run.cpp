@@ -6,7 +6,9 @@
 
 #include "check.hpp"
 #include "draw_greeting.h"
+#include "ink.hpp"
 #include "inkcell/fit.hpp"
+#include "picture.hpp"
 
 namespace {
 
@@ -15,50 +17,7 @@ using namespace inkcell;
 constexpr int32_t kWidth = 320;
 constexpr int32_t kHeight = 48;
 
-// Glyphs may overlap: the larger coverage stays.
-class Page {
- public:
-  Sink sink() {
-    Sink sink;
-    sink.window = {0, 0, kWidth, kHeight};
-    sink.context = this;
-    sink.coverage = [](void* page, int32_t x, int32_t y,
-                       const uint8_t* coverage, int32_t count) {
-      for (int32_t i = 0; i < count; ++i) {
-        static_cast<Page*>(page)->put(x + i, y, coverage[i]);
-      }
-    };
-    sink.solid = [](void* page, int32_t x, int32_t y, int32_t count) {
-      for (int32_t i = 0; i < count; ++i) {
-        static_cast<Page*>(page)->put(x + i, y, 255);
-      }
-    };
-    return sink;
-  }
-
-  bool is_drawn(int32_t x, int32_t y) const { return pixels_[y][x] != 0; }
-  bool operator==(const Page& other) const {
-    return __builtin_memcmp(pixels_, other.pixels_, sizeof pixels_) == 0;
-  }
-  size_t drawn() const {
-    size_t count = 0;
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        count += is_drawn(x, y) ? 1u : 0u;
-      }
-    }
-    return count;
-  }
-
- private:
-  void put(int32_t x, int32_t y, uint8_t coverage) {
-    CHECK(x >= 0 && x < kWidth && y >= 0 && y < kHeight);
-    uint8_t& pixel = pixels_[y][x];
-    pixel = coverage > pixel ? coverage : pixel;
-  }
-
-  uint8_t pixels_[kHeight][kWidth] = {};
-};
+using Page = Picture<kWidth, kHeight, Overlap::greatest>;
 
 const ShapedRun* const kRuns[] = {
     &fonts::labels_strings::title, &fonts::labels_strings::greeting,
@@ -125,8 +84,8 @@ TEST(run_is_its_glyphs_one_by_one) {
   for (const ShapedRun* run : kRuns) {
     static Page by_run;
     static Page one_by_one;
-    by_run = Page();
-    one_by_one = Page();
+    by_run.clear();
+    one_by_one.clear();
     Painter(by_run.sink()).text(font, style, kOrigin, *run);
     int32_t x = 0;
     for (const ShapedGlyph& glyph : run->glyphs) {
@@ -137,7 +96,7 @@ TEST(run_is_its_glyphs_one_by_one) {
                   Q26_6::from_raw(kOrigin.y.raw - glyph.y)},
                  glyph.glyph);
     }
-    CHECK(by_run.drawn() > 100);
+    CHECK(by_run.ink() > 255 * 100);
     CHECK(by_run == one_by_one);
   }
 }
@@ -149,8 +108,8 @@ TEST(run_is_what_its_layout_draws) {
     for (const ShapedRun* run : kRuns) {
       static Page by_run;
       static Page by_layout;
-      by_run = Page();
-      by_layout = Page();
+      by_run.clear();
+      by_layout.clear();
       Painter(by_run.sink()).text(font, style, kOrigin, *run);
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
@@ -184,31 +143,16 @@ TEST(measure_has_the_ink) {
     const PixelMeasure box = Painter().measure(font, style, *run);
     CHECK_EQ(box.advance.raw, to_px(font, style, run->advance).raw);
     CHECK(box.right.raw > box.left.raw && box.bottom.raw > box.top.raw);
-    static Page page;
-    page = Page();
-    Painter(page.sink()).text(font, style, kOrigin, *run);
-    int32_t left = kWidth;
-    int32_t right = 0;
-    int32_t top = kHeight;
-    int32_t bottom = 0;
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        if (page.is_drawn(x, y)) {
-          left = x < left ? x : left;
-          right = x + 1 > right ? x + 1 : right;
-          top = y < top ? y : top;
-          bottom = y + 1 > bottom ? y + 1 : bottom;
-        }
-      }
-    }
+    Ink ink;
+    Painter(ink.sink()).text(font, style, kOrigin, *run);
     const auto near = [](int32_t px, Q26_6 length) {
       const int32_t apart = 64 * px - length.raw;
       return apart >= -128 && apart <= 128;
     };
-    CHECK(near(left - 4, box.left));
-    CHECK(near(right - 4, box.right));
-    CHECK(near(top - 28, box.top));
-    CHECK(near(bottom - 28, box.bottom));
+    CHECK(near(ink.box.x0 - 4, box.left));
+    CHECK(near(ink.box.x1 - 4, box.right));
+    CHECK(near(ink.box.y0 - 28, box.top));
+    CHECK(near(ink.box.y1 - 28, box.bottom));
   }
 }
 
@@ -298,18 +242,10 @@ TEST(blanks_have_an_advance_and_no_glyphs) {
 
 TEST(title_is_centred) {
   const Font font = open();
-  static Page page;
-  draw_title(font, style_of(24), kWidth, 30, page.sink());
-  int32_t left = 0;
-  while (left < kWidth && page.drawn() != 0 && !page.is_drawn(left, 24)) {
-    ++left;
-  }
-  int32_t right = kWidth;
-  while (right > 0 && !page.is_drawn(right - 1, 24)) {
-    --right;
-  }
-  CHECK(left > 0 && left < right);
-  const int32_t off = left - (kWidth - right);
+  Ink ink;
+  draw_title(font, style_of(24), kWidth, 30, ink.sink({0, 24, kWidth, 25}));
+  CHECK(ink.box.x0 > 0 && ink.box.x0 < ink.box.x1);
+  const int32_t off = ink.box.x0 - (kWidth - ink.box.x1);
   CHECK(off >= -4 && off <= 4);
 }
 
@@ -338,7 +274,7 @@ TEST(any_numbers_are_safe) {
   // A font without glyphs has none of them.
   static Page empty;
   Painter(empty.sink()).text(Font(), style_of(12), kOrigin, run);
-  CHECK_EQ(empty.drawn(), 0);
+  CHECK_EQ(empty.ink(), 0);
 }
 
 // The font has the characters of this file's literals, not only glyphs of runs.
@@ -367,7 +303,7 @@ TEST(c_draws_the_same) {
                 reinterpret_cast<const inkcell_sink_t*>(&to_c));
   Painter(by_cpp.sink())
       .text(font, style, kOrigin, fonts::labels_strings::greeting);
-  CHECK(by_c.drawn() > 100);
+  CHECK(by_c.ink() > 255 * 100);
   CHECK(by_c == by_cpp);
 
   inkcell_positioned_glyph_t room[32];

@@ -53,6 +53,12 @@ const char* wanted_round();
 
 }  // namespace check
 
+/// |value|.
+template <typename Number>
+constexpr Number magnitude(Number value) {
+  return value < 0 ? -value : value;
+}
+
 #define TEST(test_name)                                                  \
   static void test_##test_name();                                        \
   __attribute__((section("inkcell_tests"), used,                         \

@@ -24,15 +24,42 @@ constexpr char shade(uint8_t coverage) {
   return coverage == 0 ? '.' : ":+*"[(coverage - 1) / 85];
 }
 
-template <int32_t kWidth, int32_t kHeight>
+/// What becomes of a pixel that is drawn again.
+enum class Overlap : uint8_t {
+  once,      // it fails the test, but after next_glyph() the greater stays
+  greatest,  // the greater coverage stays
+  light      // as light on light: 1 - (1 - a) (1 - b)
+};
+
+template <int32_t kWidth, int32_t kHeight, Overlap kOverlap = Overlap::once>
 class Picture {
  public:
-  /// The window's first pixel is at (x0, y0) of the screen.
+  /// The first pixel is at (x0, y0) of the screen.
   explicit Picture(int32_t x0 = 0, int32_t y0 = 0) : x0_(x0), y0_(y0) {}
 
-  /// Valid as long as the picture stays where it is.
-  inkcell::Sink sink() {
-    return {{x0_, y0_, x0_ + kWidth, y0_ + kHeight}, this, coverage, solid};
+  inkcell::Rect all() const { return {x0_, y0_, x0_ + kWidth, y0_ + kHeight}; }
+  /// Valid until the next call, and as long as the picture stays where it is.
+  inkcell::Sink sink() { return sink(all()); }
+  /// The window is what lies in `part`.
+  inkcell::Sink sink(const inkcell::Rect& part) {
+    window_ = inkcell::intersect(part, all());
+    return {window_, this, coverage, solid};
+  }
+  /// Calls draw(sink) for strips of `rows` rows, each cut in two `columns` from
+  /// the left.
+  template <typename Draw>
+  void draw_parts(int32_t rows, int32_t columns, const Draw& draw) {
+    const inkcell::Rect whole = all();
+    for (int32_t y = whole.y0; y < whole.y1; y += rows) {
+      draw(sink({whole.x0, y, whole.x0 + columns, y + rows}));
+      draw(sink({whole.x0 + columns, y, whole.x1, y + rows}));
+    }
+  }
+  template <typename Draw>
+  void draw_strips(int32_t rows, const Draw& draw) {
+    for (int32_t y = y0_; y < y0_ + kHeight; y += rows) {
+      draw(sink({x0_, y, x0_ + kWidth, y + rows}));
+    }
   }
 
   /// Coverage of a pixel in screen coordinates.
@@ -40,7 +67,54 @@ class Picture {
 
   int32_t calls() const { return calls_; }
 
-  /// From here on pixels may be drawn again, over the old ones: the next glyph.
+  /// The sum of all coverages, or of those in `part`.
+  int32_t ink() const { return ink(all()); }
+  int32_t ink(const inkcell::Rect& part) const {
+    const inkcell::Rect seen = inkcell::intersect(part, all());
+    int32_t sum = 0;
+    for (int32_t y = seen.y0; y < seen.y1; ++y) {
+      for (int32_t x = seen.x0; x < seen.x1; ++x) {
+        sum += at(x, y);
+      }
+    }
+    return sum;
+  }
+  /// Whether nothing was drawn outside `box`.
+  bool lies_in(const inkcell::Rect& box) const { return ink() == ink(box); }
+
+  /// The greatest difference of a pixel, wherever the two pictures are.
+  int32_t difference(const Picture& other) const {
+    int32_t greatest = 0;
+    for (int32_t y = 0; y < kHeight; ++y) {
+      for (int32_t x = 0; x < kWidth; ++x) {
+        const int32_t apart = pixels_[y][x] - other.pixels_[y][x];
+        greatest = apart > greatest ? apart : greatest;
+        greatest = -apart > greatest ? -apart : greatest;
+      }
+    }
+    return greatest;
+  }
+  bool operator==(const Picture& other) const { return difference(other) == 0; }
+
+  /// An empty picture, there or elsewhere.
+  void clear() {
+    clear(pixels_);
+    clear(drawn_);
+  }
+  void clear(const inkcell::Rect& part) {
+    const inkcell::Rect seen = inkcell::intersect(part, all());
+    for (int32_t y = seen.y0; y < seen.y1; ++y) {
+      for (int32_t x = seen.x0; x < seen.x1; ++x) {
+        pixels_[y - y0_][x - x0_] = 0;
+      }
+    }
+  }
+  void clear_at(int32_t x0, int32_t y0) {
+    x0_ = x0;
+    y0_ = y0;
+    clear();
+  }
+  /// From here on pixels may be drawn again, over the old ones.
   void next_glyph() { clear(drawn_); }
 
   /// Whether `art`, lines of characters of shade(), shows this picture from its
@@ -74,55 +148,64 @@ class Picture {
  private:
   static constexpr auto kColumnCount = static_cast<size_t>(kWidth);
   static constexpr auto kRowCount = static_cast<size_t>(kHeight);
-  using Rows = uint8_t[kRowCount][kColumnCount];
 
-  static void clear(Rows& rows) {
+  template <size_t kBytes>
+  static void clear(uint8_t (&rows)[kRowCount][kBytes]) {
     for (auto& row : rows) {
-      for (uint8_t& pixel : row) {
-        pixel = 0;
+      for (uint8_t& byte : row) {
+        byte = 0;
       }
     }
   }
 
-  void put(int32_t x, int32_t y, uint8_t coverage) {
-    const bool inside =
-        x >= x0_ && x < x0_ + kWidth && y >= y0_ && y < y0_ + kHeight;
-    CHECK(inside && "pixel inside the window");
-    if (inside) {
-      CHECK(drawn_[y - y0_][x - x0_] == 0 && "pixel drawn once");
-      drawn_[y - y0_][x - x0_] = 1;
-      uint8_t& pixel = pixels_[y - y0_][x - x0_];
-      pixel = pixel > coverage ? pixel : coverage;
+  // Whether a pixel had been drawn since the last glyph; now it is.
+  bool mark(int32_t column, int32_t row) {
+    uint8_t& eight = drawn_[row][column / 8];
+    const auto bit = static_cast<uint8_t>(1 << column % 8);
+    const bool was_drawn = (eight & bit) != 0;
+    eight |= bit;
+    return was_drawn;
+  }
+  // `values`: null for full coverage.
+  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    ++calls_;
+    const bool fits = count >= 1 && y >= window_.y0 && y < window_.y1 &&
+                      x >= window_.x0 && count <= window_.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    for (int32_t i = 0; fits && i < count; ++i) {
+      const uint8_t value = values == nullptr ? 255 : values[i];
+      const int32_t column = x - x0_ + i;
+      uint8_t& pixel = pixels_[y - y0_][column];
+      if (kOverlap == Overlap::once) {
+        CHECK(!mark(column, y - y0_) && "pixel drawn once");
+      }
+      if (kOverlap == Overlap::light) {
+        pixel = static_cast<uint8_t>(pixel + (255u - pixel) * value / 255);
+      } else {
+        pixel = pixel > value ? pixel : value;
+      }
     }
   }
 
   static void coverage(void* context,
                        int32_t x,
                        int32_t y,
-                       const uint8_t* coverage,
+                       const uint8_t* values,
                        int32_t count) {
-    CHECK(count >= 1 && count <= inkcell::kMaxSpan);
-    auto& picture = *static_cast<Picture*>(context);
-    ++picture.calls_;
-    for (int32_t i = 0; i < count; ++i) {
-      picture.put(x + i, y, coverage[i]);
-    }
+    CHECK(count <= inkcell::kMaxSpan);
+    static_cast<Picture*>(context)->put(x, y, values, count);
   }
-
   static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    CHECK(count >= 1);
-    auto& picture = *static_cast<Picture*>(context);
-    ++picture.calls_;
-    for (int32_t i = 0; i < count; ++i) {
-      picture.put(x + i, y, 255);
-    }
+    static_cast<Picture*>(context)->put(x, y, nullptr, count);
   }
 
   int32_t x0_;
   int32_t y0_;
+  inkcell::Rect window_;
   int32_t calls_ = 0;
-  Rows pixels_ = {};
-  Rows drawn_ = {};
+  uint8_t pixels_[kRowCount][kColumnCount] = {};
+  // Bits; those of overlapping pictures are never used.
+  uint8_t drawn_[kRowCount][(kColumnCount + 7) / 8] = {};
 };
 
 /// `art`: rows of '.' 0, ':' 1..85, '+' 86..170, '*' 171..254 and '#' 255, each

@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 #include "font_builder.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/font.hpp"
 
 namespace sample_rom {
@@ -12,7 +14,7 @@ using namespace font_builder;
 namespace header = format::header;
 namespace section = format::section;
 
-alignas(4) inline uint8_t rom[kSampleFontBytes + 4];
+alignas(4) inline uint8_t rom[kSampleFontBytes + 512];
 inline size_t rom_bytes = 0;
 
 // A fresh sample font in `rom`, opened.
@@ -25,12 +27,22 @@ inline Font sample() {
 }
 
 // What open says after the header or directory was changed.
-inline Status reopen() {
+inline Status reopen(Font* out = nullptr) {
   CHECK(repair_checksums({rom, rom_bytes}));
   Font font;
   const Status status = open_any_font({rom, rom_bytes}, font);
   CHECK(status == Status::ok || font.glyph_count() == 0);  // out untouched
+  if (out != nullptr) {
+    *out = font;
+  }
   return status;
+}
+
+// What verify says of the changed font, which must open.
+inline Status verify_changed() {
+  Font font;
+  CHECK_OK(reopen(&font));
+  return font.has_outlines() ? font.verify() : verify_fields(font);
 }
 
 inline uint8_t* entry_of(uint32_t tag) {

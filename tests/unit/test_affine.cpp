@@ -17,10 +17,6 @@ struct Map {
   double y_up;
 };
 
-double magnitude(double value) {
-  return value < 0 ? -value : value;
-}
-
 Q16_16 entry(double px) {
   return Q16_16::from_raw(static_cast<int32_t>(px * 65536));
 }

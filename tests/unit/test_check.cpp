@@ -1,5 +1,6 @@
 // The harness itself: what would make every other test pass in silence.
 #include "check.hpp"
+#include "ink.hpp"
 #include "picture.hpp"
 
 namespace {
@@ -31,6 +32,81 @@ TEST(picture_tells_apart) {
   CHECK(!picture.matches("##..\n.#+:\n...:\n"));
   CHECK(!picture.matches("##..\n.#+:\n....\n....\n"));
   CHECK(picture.matches("##..\n.#+:\n....\n"));
+}
+
+TEST(pictures_compare_and_measure) {
+  Picture<4, 3> picture(10, 20);
+  draw_wedge(picture.sink());
+  CHECK_EQ(picture.ink(), 3 * 255 + 128 + 1);
+  CHECK_EQ(picture.ink({11, 21, 13, 99}), 255 + 128);
+  CHECK(picture.lies_in({10, 20, 14, 22}));
+  CHECK(!picture.lies_in({11, 20, 14, 22}));
+  Picture<4, 3> other = picture;
+  CHECK(picture == other);
+  other.next_glyph();
+  const uint8_t brighter = 100;
+  const Sink sink = other.sink({13, 21, 14, 22});
+  sink.coverage(sink.context, 13, 21, &brighter, 1);
+  CHECK_EQ(picture.difference(other), 99);
+  CHECK_EQ(other.difference(picture), 99);
+  CHECK(!(picture == other));
+  other.clear({10, 20, 14, 21});
+  CHECK_EQ(other.ink(), 255 + 128 + 100);
+  other.clear();
+  CHECK_EQ(other.ink(), 0);
+}
+
+TEST(parts_of_pictures_are_all_of_them) {
+  Picture<5, 4> picture(-2, 7);
+  int32_t parts = 0;
+  const auto fill = [&](const Sink& sink) {
+    ++parts;
+    for (int32_t y = sink.window.y0; y < sink.window.y1; ++y) {
+      sink.solid(sink.context, sink.window.x0, y,
+                 sink.window.x1 - sink.window.x0);
+    }
+  };
+  picture.draw_parts(3, 2, fill);
+  CHECK_EQ(parts, 4);
+  CHECK_EQ(picture.ink(), 255 * 5 * 4);
+  picture.clear_at(0, 0);
+  picture.draw_strips(3, fill);
+  CHECK_EQ(parts, 6);
+  CHECK_EQ(picture.ink({0, 0, 5, 4}), 255 * 5 * 4);
+}
+
+TEST(overlaps_keep_the_greatest_or_add_light) {
+  const uint8_t first[] = {0, 100, 255};
+  const uint8_t second[] = {51, 51, 51};
+  Picture<3, 1, Overlap::greatest> greatest;
+  Picture<3, 1, Overlap::light> light;
+  const Sink sinks[] = {greatest.sink(), light.sink()};
+  for (const Sink& sink : sinks) {
+    sink.coverage(sink.context, 0, 0, first, 3);
+    sink.coverage(sink.context, 0, 0, second, 3);
+  }
+  constexpr uint8_t kGreatest[] = {51, 100, 255};
+  constexpr uint8_t kLight[] = {51, 131, 255};
+  for (int32_t x = 0; x < 3; ++x) {
+    CHECK_EQ(greatest.at(x, 0), kGreatest[x]);
+    CHECK_EQ(light.at(x, 0), kLight[x]);
+  }
+}
+
+TEST(ink_is_summed_and_boxed) {
+  Ink ink;
+  draw_wedge(ink.sink());
+  CHECK_EQ(ink.sum, 3 * 255 + 128 + 1);
+  Ink same = ink;
+  CHECK(same == ink);
+  const uint8_t pixel[] = {0, 0, 9};
+  const Sink sink = same.sink();
+  sink.coverage_rgb(sink.context, 50, 60, pixel, 1);
+  sink.coverage(sink.context, 70, 80, pixel, 2);
+  CHECK_EQ(same.sum, ink.sum + 9);
+  CHECK(same.box.x0 == 10 && same.box.y0 == 20);
+  CHECK(same.box.x1 == 51 && same.box.y1 == 61);
+  CHECK(!(same == ink));
 }
 
 TEST(shades) {

@@ -10,16 +10,11 @@
 namespace {
 
 using namespace inkcell;
-using effect::Canvas;
 using effect::check_windows;
 using effect::draw;
-using effect::ink;
 using effect::kAll;
-using effect::keep;
 using effect::kSide;
-using effect::magnitude;
 using effect::picture;
-using effect::whole;
 
 constexpr int32_t kOne = 1 << 30;
 constexpr int32_t kDirections[][2] = {
@@ -99,7 +94,7 @@ int check_means(const GlyphField& field,
   int differ = 0;
   for (int32_t y = kAll.y0; y < kAll.y1; y += 3) {
     for (int32_t x = kAll.x0; x < kAll.x1; ++x) {
-      const int32_t found = picture[(y - kAll.y0) * kSide + x - kAll.x0];
+      const int32_t found = picture.at(x, y);
       const int32_t expected = mean_of_13(field, style, origin, x, y, radius);
       CHECK(magnitude(found - expected) <= tolerance);
       Q6_10 distance;
@@ -187,8 +182,8 @@ TEST(cells_decide_by_the_papers_rule) {
   for (int i = 0; i < 3; ++i) {
     const Style style = style_of(sizes[i], 0, options);
     more = 0;
-    Canvas canvas({0, 0, 1, 1});
-    draw_field(field, style, {512, 512}, canvas.sink());
+    Picture<1, 1> pixel;
+    draw_field(field, style, {512, 512}, pixel.sink());
     CHECK_EQ(more, expected[i]);
   }
 }

@@ -3,6 +3,7 @@
 // show.
 #include "channel_canvas.hpp"
 #include "check.hpp"
+#include "ink.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/field/circle_samples.hpp"
@@ -13,13 +14,14 @@
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 #include "own_effects.hpp"
 #include "picture.hpp"
 
 namespace {
 
 using namespace inkcell;
+using outline_record::sample_font;
 
 constexpr int32_t kWidth = 28;
 constexpr int32_t kHeight = 26;
@@ -33,16 +35,7 @@ constexpr uint16_t kBar = 2;
 constexpr uint16_t kFrame = 4;
 constexpr uint16_t kLeaf = 5;
 
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
 alignas(4) uint8_t ram[2560];
-
-Font sample_font() {
-  Font font;
-  const size_t size =
-      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
-  CHECK_OK(Font::open({font_bytes, size}, font));
-  return font;
-}
 
 using Canvas = ChannelCanvas<kWidth, kHeight, kChannels>;
 
@@ -315,27 +308,13 @@ TEST(the_longest_path_keeps_the_ink) {
   const Font font = sample_font();
   constexpr MotionBlur kLongest({Q26_6::from_int(-40), Q26_6::from_int(32)});
   Style style = style_of(kArea, 15);
-  struct Ink {
-    int32_t sum = 0;
-    static void coverage(
-        void* context, int32_t, int32_t, const uint8_t* values, int32_t count) {
-      for (int32_t i = 0; i < count; ++i) {
-        static_cast<Ink*>(context)->sum += values[i];
-      }
-    }
-    static void solid(void* context, int32_t, int32_t, int32_t count) {
-      static_cast<Ink*>(context)->sum += 255 * count;
-    }
-  };
   Ink plain;
   Ink blurred;
   constexpr Rect kWide = {-40, -40, 80, 80};
-  Painter({kWide, &plain, Ink::coverage, Ink::solid})
-      .glyph(font, style, kOrigin, kDisc);
+  Painter(plain.sink(kWide)).glyph(font, style, kOrigin, kDisc);
   style.set_effect(kLongest);
   const Rect box = Painter().glyph_box(font, style, kOrigin, kDisc);
-  Painter({kWide, &blurred, Ink::coverage, Ink::solid})
-      .glyph(font, style, kOrigin, kDisc);
+  Painter(blurred.sink(kWide)).glyph(font, style, kOrigin, kDisc);
   CHECK(plain.sum - blurred.sum < plain.sum / 20);
   CHECK(blurred.sum - plain.sum < plain.sum / 20);
   CHECK(box.x1 - box.x0 >= 9 + 32 && box.x1 - box.x0 <= 9 + 36);

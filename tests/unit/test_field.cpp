@@ -133,10 +133,6 @@ double unit(int32_t position_q16, int size_log2) {
   return position_q16 / (65536.0 * (1 << size_log2));
 }
 
-int32_t magnitude(double value) {
-  return static_cast<int32_t>(value < 0 ? -value : value);
-}
-
 // The largest error over random cells of one size. [u, Q10]
 double worst_distance_error(int size_log2, bool extreme, int cells) {
   Random random(static_cast<uint32_t>(size_log2 + 1));

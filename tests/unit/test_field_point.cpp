@@ -28,10 +28,6 @@ alignas(4) uint8_t ram[kRamBytes];
 outline_truth::Truth truth;
 font_builder::Record samples;
 
-double magnitude(double value) {
-  return value < 0 ? -value : value;
-}
-
 Font open_outlines() {
   Font font;
   CHECK_OK(open_any_font({rom, outline_record::build_sample_font(rom)}, font));

@@ -6,55 +6,11 @@
 #include "inkcell/font.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "inkcell/text.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
-using namespace inkcell;
-using namespace font_builder;
-namespace header = format::header;
-namespace section = format::section;
-
-alignas(4) uint8_t rom[kSampleFontBytes + 512];
-size_t rom_bytes = 0;
-
-// A fresh sample font in `rom`, opened.
-Font sample() {
-  rom_bytes = build_sample_font({rom, kSampleFontBytes});
-  Font font;
-  CHECK_OK(open_any_font({rom, rom_bytes}, font));
-  return font;
-}
-
-// What open says after something was changed.
-Status reopen(Font* out = nullptr) {
-  CHECK(repair_checksums({rom, rom_bytes}));
-  Font font;
-  const Status status = open_any_font({rom, rom_bytes}, font);
-  if (out != nullptr) {
-    *out = font;
-  }
-  return status;
-}
-
-// What verify says of it; it must open.
-Status verify_changed() {
-  Font font;
-  CHECK_OK(reopen(&font));
-  return font.verify();
-}
-
-uint8_t* entry_of(uint32_t tag) {
-  uint8_t* entry = rom + header::kBytes;
-  while (get_u32(entry + section::kTag) != tag) {
-    entry += section::kBytes;
-  }
-  return entry;
-}
-
-uint8_t* section_bytes(uint32_t tag) {
-  return rom +
-         (get_u32(entry_of(tag) + section::kOffset) & section::kOffsetMask);
-}
+using namespace sample_rom;
 
 // The sample's METR has rows of five numbers of 16 bits.
 void put_metric(uint32_t glyph, uint32_t column, int32_t value) {

@@ -10,7 +10,7 @@ namespace {
 
 using namespace inkcell;
 using effect::draw;
-using effect::ink;
+using effect::kAll;
 using effect::kSide;
 using effect::picture;
 
@@ -24,26 +24,28 @@ Middle middle_of_ink() {
   int64_t x = 0;
   int64_t y = 0;
   for (int32_t i = 0; i < kSide * kSide; ++i) {
-    x += int64_t{picture[i]} * (i % kSide);
-    y += int64_t{picture[i]} * (i / kSide);
+    const int32_t coverage =
+        picture.at(kAll.x0 + i % kSide, kAll.y0 + i / kSide);
+    x += int64_t{coverage} * (i % kSide);
+    y += int64_t{coverage} * (i / kSide);
   }
-  return {static_cast<int32_t>(64 * x / ink()),
-          static_cast<int32_t>(64 * y / ink())};
+  return {static_cast<int32_t>(64 * x / picture.ink()),
+          static_cast<int32_t>(64 * y / picture.ink())};
 }
 
 // Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
 void check_place(const GlyphField& field, Style style, FinePoint origin) {
   style.clear_effect();
   draw(field, style, origin);
-  CHECK(ink() > 255 * 20);
+  CHECK(picture.ink() > 255 * 20);
   const Middle plain = middle_of_ink();
   for (uint32_t order = 0; order < 4; ++order) {
     const Lcd lcd(static_cast<SubPixels>(order));
     style.set_effect(lcd);
     draw(field, style, origin);
     const Middle middle = middle_of_ink();
-    CHECK(effect::magnitude(middle.x_q6 - plain.x_q6) <= 8);
-    CHECK(effect::magnitude(middle.y_q6 - plain.y_q6) <= 8);
+    CHECK(magnitude(middle.x_q6 - plain.x_q6) <= 8);
+    CHECK(magnitude(middle.y_q6 - plain.y_q6) <= 8);
   }
 }
 

@@ -3,43 +3,22 @@
 #include "check.hpp"
 #include "inkcell/motion/path.hpp"
 #include "inkcell/stroke.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
+#include "picture.hpp"
 
 namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
+using outline_record::sample_font;
 
 constexpr int32_t kSide = 160;
-using Picture = uint8_t[kSide][kSide];
-Picture drawn;
-Picture expected;
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
-
-Font sample_font() {
-  Font font;
-  CHECK_OK(Font::open(
-      {font_bytes, outline_record::build_sample_font(font_bytes)}, font));
-  return font;
-}
-
-Sink sink_of(Picture& picture) {
-  __builtin_memset(picture, 0, sizeof picture);
-  Sink sink;
-  sink.window = {0, 0, kSide, kSide};
-  sink.context = picture;
-  sink.coverage = [](void* context, int32_t x, int32_t y,
-                     const uint8_t* coverage, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<uint8_t(*)[kSide]>(context)[y][x + i] |= coverage[i];
-    }
-  };
-  sink.solid = [](void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<uint8_t(*)[kSide]>(context)[y][x + i] = 255;
-    }
-  };
-  return sink;
+using Page = Picture<kSide, kSide, Overlap::greatest>;
+Page drawn;
+Page expected;
+Sink sink_of(Page& page) {
+  page.clear();
+  return page.sink();
 }
 
 void draw(const Font& font,
@@ -49,27 +28,17 @@ void draw(const Font& font,
   draw_on_circle(sink_of(drawn), font, style, circle, text);
 }
 
-int32_t ink_of(const Picture& picture) {
-  int32_t sum = 0;
-  for (const auto& row : picture) {
-    for (const uint8_t pixel : row) {
-      sum += pixel;
-    }
-  }
-  return sum;
-}
-
 // The middle of the ink. [px, Q6]
-Point middle_of(const Picture& picture) {
+Point middle_of(const Page& page) {
   int64_t x_sum = 0;
   int64_t y_sum = 0;
   for (int32_t y = 0; y < kSide; ++y) {
     for (int32_t x = 0; x < kSide; ++x) {
-      x_sum += int64_t{picture[y][x]} * (64 * x + 32);
-      y_sum += int64_t{picture[y][x]} * (64 * y + 32);
+      x_sum += int64_t{page.at(x, y)} * (64 * x + 32);
+      y_sum += int64_t{page.at(x, y)} * (64 * y + 32);
     }
   }
-  const int32_t ink = ink_of(picture);
+  const int32_t ink = page.ink();
   CHECK(ink > 0);
   return {Q26_6::from_raw(static_cast<int32_t>(x_sum / ink)),
           Q26_6::from_raw(static_cast<int32_t>(y_sum / ink))};
@@ -106,8 +75,8 @@ TEST(glyphs_at_the_top_and_the_bottom_are_upright) {
             font, style,
             {Q26_6::from_raw(80 * 64 - half), Q26_6::from_int(place.baseline)},
             "D");
-    CHECK(ink_of(expected) > 0);
-    CHECK(__builtin_memcmp(drawn, expected, sizeof drawn) == 0);
+    CHECK(expected.ink() > 0);
+    CHECK(drawn == expected);
   }
 }
 
@@ -119,7 +88,7 @@ TEST(a_line_on_a_circle_is_one_call) {
   const Painter painter(sink);
   const TextCircle rim = {{120, 120}, 100_px, from_degrees(90)};  // at the top
   draw_on_circle(painter, font, style, rim, "BAROMETER");
-  CHECK(ink_of(drawn) > 0);
+  CHECK(drawn.ink() > 0);
   const Rect box = draw_on_circle({}, font, style, rim, "BAROMETER");
   CHECK(box.y0 >= 120 - 100 - 16 && box.y1 < 120 && box.x0 < 120);
 }
@@ -133,13 +102,13 @@ TEST(lines_turn_about_the_centre) {
     TextCircle circle = {{80, 80}, 50_px, from_degrees(20), side};
     draw(font, style, circle, "AFD");
     const Point first = middle_of(drawn);
-    const int32_t ink = ink_of(drawn);
+    const int32_t ink = drawn.ink();
     circle.at = turned(circle.at, 1 << 14);
     draw(font, style, circle, "AFD");
     CHECK(is_near(middle_of(drawn),
                   Point(Q26_6::from_raw(first.y.raw),
                         Q26_6::from_raw(160 * 64 - first.x.raw))));
-    CHECK(ink_of(drawn) > ink * 99 / 100 && ink_of(drawn) < ink * 101 / 100);
+    CHECK(drawn.ink() > ink * 99 / 100 && drawn.ink() < ink * 101 / 100);
   }
 }
 
@@ -189,12 +158,7 @@ TEST(boxes_hold_what_is_drawn) {
       const TextCircle circle = {{80, 80}, 50_px, from_degrees(degrees)};
       draw(font, style, circle, "ADEF");
       const Rect box = draw_on_circle({}, font, style, circle, "ADEF");
-      for (int32_t y = 0; y < kSide; ++y) {
-        for (int32_t x = 0; x < kSide; ++x) {
-          CHECK(drawn[y][x] == 0 ||
-                (x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1));
-        }
-      }
+      CHECK(drawn.lies_in(box));
       CHECK(box.x1 - box.x0 < 70 && box.y1 - box.y0 < 70);
     }
     style.set_effect(stroke);

@@ -6,92 +6,32 @@
 #include "inkcell/motion/grid_draw.hpp"
 #include "inkcell/motion/morph.hpp"
 #include "inkcell/painter.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 
 namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
+using outline_record::sample_font;
 
 constexpr int32_t kWidth = 64;
 constexpr int32_t kHeight = 56;
-constexpr Rect kScreen = {0, 0, kWidth, kHeight};
 constexpr int32_t kOne = 1 << 16;
 constexpr Q26_6 kSize = Q26_6::from_int(48);
 constexpr MorphBox kBox = {kWidth, kHeight, 44, 0};
 constexpr uint16_t kDiscGlyph = 1;
 constexpr uint16_t kBarGlyph = 2;
 
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
 int8_t memory[morph_bytes(kBox)];
 GridHistogram scratch;
-uint8_t picture[kWidth * kHeight];
-uint8_t second[kWidth * kHeight];
+Picture<kWidth, kHeight> picture;
+Picture<kWidth, kHeight> second;
 
-const Font& sample_font() {
-  static Font font;
-  if (font.glyph_count() == 0) {
-    const size_t size = outline_record::build_sample_font(font_bytes);
-    CHECK_OK(Font::open({font_bytes, size}, font));
-  }
-  return font;
-}
-
-// Fails if pixels leave the window or come twice: glyphs here never overlap.
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Sink sink() { return {window, this, coverage, solid}; }
-  void put(int32_t x, int32_t y, uint8_t value) {
-    const bool fits =
-        x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
-    CHECK(fits && "pixels inside the window");
-    if (fits) {
-      CHECK(pixels[y * kWidth + x] == 0 && "no pixel twice");
-      pixels[y * kWidth + x] = value;
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count >= 1 && count <= kMaxSpan);
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, values[i]);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, 255);
-    }
-  }
-};
-
-void clear(uint8_t (&pixels)[kWidth * kHeight]) {
-  for (uint8_t& pixel : pixels) {
-    pixel = 0;
-  }
-}
-
-int32_t ink(const uint8_t (&pixels)[kWidth * kHeight]) {
-  int32_t sum = 0;
-  for (const uint8_t pixel : pixels) {
-    sum += pixel;
-  }
-  return sum;
-}
-
-void draw_whole(const GlyphMorph& morph, uint8_t (&pixels)[kWidth * kHeight]) {
-  clear(pixels);
-  Canvas canvas = {pixels, kScreen};
-  morph.draw(0, 0, canvas.sink());
-}
-
-int32_t magnitude(int32_t value) {
-  return value < 0 ? -value : value;
+void draw_whole(const GlyphMorph& morph, Picture<kWidth, kHeight>& out) {
+  out.clear();
+  morph.draw(0, 0, out.sink());
 }
 
 }  // namespace
@@ -177,19 +117,16 @@ TEST(morphs_end_as_plain_glyphs) {
     for (int32_t end = 0; end < 2; ++end) {
       morph.step(Q16_16::from_int(end), scratch);
       draw_whole(morph, picture);
-      clear(second);
-      Canvas canvas = {second, kScreen};
+      second.clear();
       const uint16_t glyph = end == 0 ? from : to;
       const int32_t advance_q6 = font.advance(glyph) * 48 * 64 / 1024;
-      Painter(canvas.sink())
+      Painter(second.sink())
           .glyph(font, style,
                  {Q26_6::from_raw((kWidth * 64 - advance_q6) / 2),
                   Q26_6::from_int(kBox.baseline)},
                  glyph);
-      CHECK(ink(second) > 255 * 100);
-      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      CHECK(second.ink() > 255 * 100);
+      CHECK(picture == second);
     }
   }
 }
@@ -204,10 +141,10 @@ TEST(areas_go_evenly_and_nothing_pops) {
     for (uint16_t to = 2; to < 5; ++to) {
       CHECK_OK(morph.set(from, to));
       draw_whole(morph, second);
-      const int32_t first = ink(second);
+      const int32_t first = second.ink();
       morph.step(Q16_16::from_int(1), scratch);
       draw_whole(morph, picture);
-      const int32_t last = ink(picture);
+      const int32_t last = picture.ink();
       const int32_t most = first > last ? first : last;
       int32_t sum = 0;
       int32_t worst = 0;
@@ -215,12 +152,14 @@ TEST(areas_go_evenly_and_nothing_pops) {
         morph.step(Q16_16::from_raw(kOne * i / kSteps), scratch);
         draw_whole(morph, picture);
         const int32_t even = first + (last - first) * i / kSteps;
-        CHECK(magnitude(ink(picture) - even) <= most * 5 / 100);
+        CHECK(magnitude(picture.ink() - even) <= most * 5 / 100);
         int32_t change = 0;
-        for (int32_t k = 0; k < kWidth * kHeight; ++k) {
-          change += magnitude(picture[k] - second[k]);
-          second[k] = picture[k];
+        for (int32_t y = 0; y < kHeight; ++y) {
+          for (int32_t x = 0; x < kWidth; ++x) {
+            change += magnitude(picture.at(x, y) - second.at(x, y));
+          }
         }
+        second = picture;
         sum += change;
         worst = change > worst ? change : worst;
       }
@@ -241,16 +180,10 @@ TEST(morphs_do_not_depend_on_strips) {
     draw_whole(morph, picture);
     const int32_t kHeights[] = {1, 3, 8};
     for (const int32_t rows : kHeights) {
-      clear(second);
-      for (int32_t y = 0; y < kHeight; y += rows) {
-        Canvas left = {second, intersect(kScreen, {0, y, 29, y + rows})};
-        Canvas right = {second, intersect(kScreen, {29, y, kWidth, y + rows})};
-        morph.draw(0, 0, left.sink());
-        morph.draw(0, 0, right.sink());
-      }
-      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      second.clear();
+      second.draw_parts(rows, 29,
+                        [&](const Sink& sink) { morph.draw(0, 0, sink); });
+      CHECK(picture == second);
     }
   }
 }
@@ -269,9 +202,7 @@ TEST(morphs_do_not_depend_on_what_was_before) {
   morph.step(Q16_16::from_int(9), scratch);
   morph.step(Q16_16::from_raw(kOne / 3), scratch);
   draw_whole(morph, second);
-  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-    CHECK_EQ(picture[i], second[i]);
-  }
+  CHECK(picture == second);
   CHECK_EQ(morph.from(), 2);
   CHECK_EQ(morph.to(), 3);
 }
@@ -285,19 +216,15 @@ TEST(offsets_move_edges) {
   CHECK_OK(grid.paint(font, kDiscGlyph, kSize, origin));
   const int32_t kOffsets[] = {-96, 0, 80, 128};  // [px, Q6]
   for (const int32_t offset : kOffsets) {
-    clear(picture);
-    Canvas canvas = {picture, kScreen};
+    picture.clear();
     draw_offset(grid, Q26_6::from_raw(offset), 0, 0, kFilterText,
-                canvas.sink());
+                picture.sink());
     const Filter filter = with_weight(
         kFilterText, Q6_10::from_raw(static_cast<int16_t>(offset * 16)));
     Style style(kSize, filter);
-    clear(second);
-    Canvas plain = {second, kScreen};
-    Painter(plain.sink()).glyph(font, style, origin, kDiscGlyph);
-    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-      CHECK(magnitude(picture[i] - second[i]) <= 16);
-    }
+    second.clear();
+    Painter(second.sink()).glyph(font, style, origin, kDiscGlyph);
+    CHECK(picture.difference(second) <= 16);
   }
 }
 
@@ -309,10 +236,9 @@ void draw_any(const DistanceGrid& grid, const GridLook& look, Random& random) {
   spec.outside_px.raw = static_cast<int16_t>(random.next());
   spec.inside_px.raw = static_cast<int16_t>(random.next());
   const Filter filter = make_filter(spec);
-  clear(picture);
-  Canvas canvas = {picture, kScreen};
+  picture.clear();
   draw_grid(grid, look, random.between(-20, 60), random.between(-20, 60),
-            filter, canvas.sink());
+            filter, picture.sink());
 }
 
 }  // namespace
@@ -323,11 +249,11 @@ TEST(hostile_morphs_do_no_harm) {
   CHECK_EQ(empty.set(1, 2), Status::buffer_small);
   empty.step(Q16_16::from_int(1), scratch);
   draw_whole(empty, picture);
-  CHECK_EQ(ink(picture), 0);
+  CHECK_EQ(picture.ink(), 0);
   GlyphMorph huge(font, Q26_6::from_int(5000), kFilterMotion, kBox, memory);
   CHECK_EQ(huge.set(1, 2), Status::bad_argument);
   draw_whole(huge, picture);
-  CHECK_EQ(ink(picture), 0);
+  CHECK_EQ(picture.ink(), 0);
 
   Random random(21);
   for (int8_t& sample : memory) {

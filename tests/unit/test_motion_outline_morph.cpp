@@ -5,6 +5,7 @@
 #include "inkcell/motion/weight_pulse.hpp"
 #include "inkcell/painter.hpp"
 #include "outline_record.hpp"
+#include "picture.hpp"
 #include "rounds.hpp"
 
 namespace {
@@ -14,7 +15,6 @@ using namespace inkcell::motion;
 using namespace outline_record;
 
 constexpr int32_t kSide = 56;
-constexpr Rect kScreen = {0, 0, kSide, kSide};
 constexpr Point kOrigin = {4, 50};
 // A u is a 16th of a px: what lies half-way is exact.
 constexpr Q26_6 kSize = Q26_6::from_int(64);
@@ -160,92 +160,26 @@ const Font& font_of_morphs() {
   return font;
 }
 
-// Fails if pixels leave the window.
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Sink sink() { return {window, this, coverage, solid}; }
-  void put(int32_t x, int32_t y, uint8_t value) {
-    const bool fits =
-        x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
-    CHECK(fits && "pixels inside the window");
-    if (fits) {
-      pixels[y * kSide + x] = value;
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, values[i]);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, 255);
-    }
-  }
-};
-
-using Picture = uint8_t[kSide * kSide];
-Picture picture;
-Picture expected;
+using Page = Picture<kSide, kSide, Overlap::greatest>;
+Page picture;
+Page expected;
 alignas(8) uint8_t ram[2048];
-
-void clear(Picture& pixels) {
-  for (uint8_t& pixel : pixels) {
-    pixel = 0;
-  }
-}
-
-int32_t differences() {
-  int32_t count = 0;
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    count += picture[i] == expected[i] ? 0 : 1;
-  }
-  return count;
-}
-
-// The greatest difference of a pixel.
-int32_t greatest_difference() {
-  int32_t greatest = 0;
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    const int32_t apart = int32_t{picture[i]} - expected[i];
-    greatest = apart > greatest ? apart : -apart > greatest ? -apart : greatest;
-  }
-  return greatest;
-}
-
-int32_t ink() {
-  int32_t sum = 0;
-  for (const uint8_t pixel : picture) {
-    sum += pixel;
-  }
-  return sum;
-}
 
 void draw(const OutlineMorph& morph,
           const Style& style,
           Q16_16 progress,
           size_t ram_bytes = sizeof ram,
           int32_t rows = kSide) {
-  clear(picture);
-  for (int32_t y = 0; y < kSide; y += rows) {
-    Canvas canvas = {picture, intersect({0, y, kSide, y + rows}, kScreen)};
-    const Sink sink = canvas.sink();
+  picture.clear();
+  picture.draw_strips(rows, [&](const Sink& sink) {
     morph.draw(Painter(sink, Workspace(ram, ram_bytes)), style, kOrigin,
                progress);
-  }
+  });
 }
 
 void draw_plain(uint16_t glyph, const Style& style) {
-  clear(expected);
-  Canvas canvas = {expected, kScreen};
-  const Sink sink = canvas.sink();
-  Painter(sink, Workspace(ram, sizeof ram))
+  expected.clear();
+  Painter(expected.sink(), Workspace(ram, sizeof ram))
       .glyph(font_of_morphs(), style, kOrigin, glyph);
 }
 
@@ -267,10 +201,10 @@ TEST(ends_are_plain_glyphs) {
     for (const int32_t raw : kEnds) {
       draw(morph_of(from, to), style, Q16_16::from_raw(raw));
       draw_plain(raw < 64 ? from : to, style);
-      CHECK_EQ(differences(), 0);
+      CHECK(picture == expected);
       draw(morph_of(to, from), style, Q16_16::from_raw(raw));
       draw_plain(raw < 64 ? to : from, style);
-      CHECK_EQ(differences(), 0);
+      CHECK(picture == expected);
     }
   }
 }
@@ -290,9 +224,9 @@ TEST(half_way_lies_what_is_between) {
       const int32_t most = from == 4 ? look.most : 0;
       draw_plain(static_cast<uint16_t>(from + 2), look.style);
       draw(morph_of(from, to), look.style, kHalf);
-      CHECK(greatest_difference() <= most);
+      CHECK(picture.difference(expected) <= most);
       draw(morph_of(to, from), look.style, kHalf);
-      CHECK(greatest_difference() <= most);
+      CHECK(picture.difference(expected) <= most);
     }
   }
 }
@@ -303,22 +237,14 @@ TEST(strips_and_boxes_of_morphs) {
   for (int32_t raw = 0; raw <= 1 << 16; raw += 1 << 12) {
     const Q16_16 progress = Q16_16::from_raw(raw);
     draw(morph, style, progress);
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      expected[i] = picture[i];
-    }
-    CHECK(ink() > 0);
-    const Rect box = morph.box(style, kOrigin, progress);
-    for (int32_t y = 0; y < kSide; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        CHECK(picture[y * kSide + x] == 0 ||
-              (x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1));
-      }
-    }
+    expected = picture;
+    CHECK(picture.ink() > 0);
+    CHECK(picture.lies_in(morph.box(style, kOrigin, progress)));
     draw(morph, style, progress, sizeof ram, 5);
-    CHECK_EQ(differences(), 0);
+    CHECK(picture == expected);
     draw(morph, style, progress,
          OutlineMorph::workspace_bytes(font_of_morphs()));
-    CHECK_EQ(differences(), 0);
+    CHECK(picture == expected);
   }
 }
 
@@ -329,25 +255,18 @@ TEST(frames_keep_their_points) {
   for (int32_t raw = 0; raw <= 1 << 16; raw += 1 << 13) {
     const Q16_16 progress = Q16_16::from_raw(raw);
     draw(morph, style, progress);
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      expected[i] = picture[i];
-    }
-    clear(picture);
+    expected = picture;
+    picture.clear();
     MorphFrame frame(morph, style, kOrigin, progress,
                      Workspace(points, sizeof points));
-    for (int32_t y = 0; y < kSide; y += 7) {
-      Canvas canvas = {picture, {0, y, kSide, y + 7}};
-      const Sink sink = canvas.sink();
-      frame.draw(Painter(sink));
-    }
-    CHECK_EQ(differences(), 0);
+    picture.draw_strips(7,
+                        [&](const Sink& sink) { frame.draw(Painter(sink)); });
+    CHECK(picture == expected);
   }
-  clear(picture);
-  Canvas canvas = {picture, kScreen};
-  const Sink sink = canvas.sink();
+  picture.clear();
   MorphFrame(morph, style, kOrigin, kHalf, Workspace(points, 200))
-      .draw(Painter(sink));
-  CHECK_EQ(ink(), 0);
+      .draw(Painter(picture.sink()));
+  CHECK_EQ(picture.ink(), 0);
 }
 
 TEST(small_workspaces_draw_the_ends_only) {
@@ -356,10 +275,10 @@ TEST(small_workspaces_draw_the_ends_only) {
   for (const size_t size : kSizes) {
     // 53 points, more than the stack has room for.
     draw(morph_of(4, 5), style, kHalf, size);
-    CHECK_EQ(ink(), 0);
+    CHECK_EQ(picture.ink(), 0);
     draw(morph_of(4, 5), style, Q16_16(), size);
     draw_plain(4, style);
-    CHECK_EQ(differences(), 0);
+    CHECK(picture == expected);
   }
 }
 
@@ -373,11 +292,11 @@ TEST(pairs_that_fonts_do_not_hold) {
   const Style style(kSize);
   CHECK(is_empty(morph.box(style, kOrigin, kHalf)));
   draw(morph, style, kHalf);
-  CHECK_EQ(ink(), 0);
+  CHECK_EQ(picture.ink(), 0);
   CHECK_OK(OutlineMorph::open(font, 3, 3, morph));
   draw(morph, style, kHalf);
   draw_plain(3, style);
-  CHECK_EQ(differences(), 0);
+  CHECK(picture == expected);
 }
 
 // The font, in which a byte of the section became another.
@@ -429,12 +348,10 @@ TEST(advances_between_glyphs) {
 
 // Glyphs 4 and 7 have second masters, 1 has none.
 void draw_pulse(const WeightPulse& line, size_t ram_bytes, int32_t rows) {
-  clear(picture);
-  for (int32_t y = 0; y < kSide; y += rows) {
-    Canvas canvas = {picture, intersect({0, y, kSide, y + rows}, kScreen)};
-    const Sink sink = canvas.sink();
+  picture.clear();
+  picture.draw_strips(rows, [&](const Sink& sink) {
     line.draw(Painter(sink, Workspace(ram, ram_bytes)));
-  }
+  });
 }
 
 TEST(weight_runs_along_a_line) {
@@ -446,23 +363,23 @@ TEST(weight_runs_along_a_line) {
   motion.stagger.step_ms = 100;
   constexpr Point kAt = {2, 30};
   WeightPulse line(font, style, kAt, "DA", motion);
-  static Picture last;
-  clear(last);
+  static Page last;
+  last.clear();
   int32_t still = 0;
   for (int32_t now = 0; now <= 2000; now += 50) {
     const Rect changed = line.at(now);
     draw_pulse(line, sizeof ram, kSide);
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      expected[i] = picture[i];
-      const int32_t x = i % kSide;
-      const int32_t y = i / kSide;
-      CHECK(picture[i] == last[i] || (x >= changed.x0 && x < changed.x1 &&
-                                      y >= changed.y0 && y < changed.y1));
-      last[i] = picture[i];
+    for (int32_t y = 0; y < kSide; ++y) {
+      for (int32_t x = 0; x < kSide; ++x) {
+        CHECK(picture.at(x, y) == last.at(x, y) ||
+              (x >= changed.x0 && x < changed.x1 && y >= changed.y0 &&
+               y < changed.y1));
+      }
     }
+    last = expected = picture;
     still += is_empty(changed) ? 1 : 0;
     draw_pulse(line, sizeof ram, 5);
-    CHECK_EQ(differences(), 0);
+    CHECK(picture == expected);
   }
   // D pulses for 400 ms of each second; A has no second master.
   CHECK_EQ(still, 24);
@@ -470,9 +387,8 @@ TEST(weight_runs_along_a_line) {
   for (int32_t top = 0; top < 2; ++top) {
     line.at(200 + 600 * top);
     draw_pulse(line, sizeof ram, kSide);
-    clear(expected);
-    Canvas canvas = {expected, kScreen};
-    const Sink sink = canvas.sink();
+    expected.clear();
+    const Sink sink = expected.sink();
     const Painter painter(sink, Workspace(ram, sizeof ram));
     OutlineMorph morph;
     CHECK_OK(OutlineMorph::open_master(font, 4, morph));
@@ -482,16 +398,14 @@ TEST(weight_runs_along_a_line) {
         font, style,
         {Q26_6::from_raw(kAt.x.raw + morph.advance(style, part).raw), kAt.y},
         1);
-    CHECK_EQ(differences(), 0);
+    CHECK(picture == expected);
   }
   // Without a workspace all is plain.
   draw_pulse(line, sizeof ram, kSide);
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    expected[i] = picture[i];
-  }
+  expected = picture;
   line.at(100);
   draw_pulse(line, 0, kSide);
-  CHECK_EQ(differences(), 0);
+  CHECK(picture == expected);
   line.at(INT32_MIN);
   line.at(INT32_MAX);
   build_font();
@@ -575,7 +489,7 @@ TEST(morphs_of_any_bytes) {
     const Style style(Q26_6::from_raw(random.between(64, 64 * 300)),
                       kFilterMotion);
     draw(morph, style, Q16_16::from_raw(random.between(0, 1 << 16)), room);
-    drawn += ink() == 0 ? 0 : 1;
+    drawn += picture.ink() == 0 ? 0 : 1;
     for (size_t i = room; i < sizeof ram; ++i) {
       CHECK_EQ(ram[i], 0xa5);
     }

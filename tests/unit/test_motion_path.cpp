@@ -3,25 +3,15 @@
 
 #include "check.hpp"
 #include "inkcell/motion/run.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 
 namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
+using outline_record::sample_font;
 
 constexpr int32_t kOne = 1 << 16;
-
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
-
-const Font& sample_font() {
-  static Font font;
-  if (font.glyph_count() == 0) {
-    const size_t size = outline_record::build_sample_font(font_bytes);
-    CHECK_OK(Font::open({font_bytes, size}, font));
-  }
-  return font;
-}
 
 Point px(int32_t x, int32_t y) {
   return {Q26_6::from_int(x), Q26_6::from_int(y)};

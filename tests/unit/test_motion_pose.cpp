@@ -5,7 +5,8 @@
 #include "inkcell/motion/run.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -13,80 +14,22 @@ namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
+using outline_record::sample_font;
 
 constexpr int32_t kWidth = 96;
 constexpr int32_t kHeight = 48;
 constexpr Rect kScreen = {0, 0, kWidth, kHeight};
 constexpr int32_t kOne = 1 << 16;
 
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
-
-const Font& sample_font() {
-  static Font font;
-  if (font.glyph_count() == 0) {
-    const size_t size = outline_record::build_sample_font(font_bytes);
-    CHECK_OK(Font::open({font_bytes, size}, font));
-  }
-  return font;
-}
-
-uint8_t picture[kWidth * kHeight];
-uint8_t second[kWidth * kHeight];
-
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Canvas(uint8_t* target, const Rect& part) : pixels(target), window(part) {}
-  Sink sink() { return {window, this, coverage, solid}; }
-
-  // Light on light: 1 - (1 - a) (1 - b).
-  void put(int32_t x, int32_t y, uint32_t value) {
-    const bool fits =
-        x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
-    CHECK(fits && "pixels inside the window");
-    if (fits) {
-      uint8_t& pixel = pixels[y * kWidth + x];
-      pixel = static_cast<uint8_t>(pixel + (255u - pixel) * value / 255);
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, values[i]);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, 255);
-    }
-  }
-};
-
-void clear(uint8_t (&pixels)[kWidth * kHeight]) {
-  for (uint8_t& pixel : pixels) {
-    pixel = 0;
-  }
-}
-
-int32_t ink(const uint8_t (&pixels)[kWidth * kHeight]) {
-  int32_t sum = 0;
-  for (const uint8_t pixel : pixels) {
-    sum += pixel;
-  }
-  return sum;
-}
+using Page = Picture<kWidth, kHeight, Overlap::light>;
+Page picture;
+Page second;
 
 void draw_whole(PoseRenderer& renderer,
                 Span<const PosedGlyph> glyphs,
-                uint8_t (&pixels)[kWidth * kHeight]) {
-  clear(pixels);
-  Canvas canvas(pixels, kScreen);
-  renderer.draw(glyphs, canvas.sink());
+                Page& out) {
+  out.clear();
+  renderer.draw(glyphs, out.sink());
 }
 
 Point px(int32_t x, int32_t y) {
@@ -174,21 +117,16 @@ TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
       plain.glyph = glyph;
       plain.at = {Q26_6::from_raw(20 * 64 + 13), Q26_6::from_raw(38 * 64 + 7)};
       draw_whole(renderer, {&plain, 1}, picture);
-      clear(second);
-      Canvas canvas(second, kScreen);
+      second.clear();
       Style style(Q26_6::from_raw(size_q6), kFilterMotion);
-      Painter(canvas.sink()).glyph(font, style, plain.at, glyph);
-      CHECK(ink(second) > 255 * 20);
-      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      Painter(second.sink()).glyph(font, style, plain.at, glyph);
+      CHECK(second.ink() > 255 * 20);
+      CHECK(picture == second);
       // The pivot does not show unless something turns about it.
       plain.pivot_x = Q16_16::from_int(5);
       plain.at.x.raw += 5 * 64;
       draw_whole(renderer, {&plain, 1}, second);
-      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      CHECK(picture == second);
     }
   }
 }
@@ -213,25 +151,22 @@ TEST(glyphs_turn_about_their_pivot) {
   disc.at = px(40, 24);
   disc.pivot_x = disc.pivot_y = Q16_16::from_int(12);
   draw_whole(renderer, {&disc, 1}, picture);
-  const int32_t plain = ink(picture);
+  const int32_t plain = picture.ink();
   // It looks the same after each quarter of a turn.
   for (int32_t angle = 0; angle < kOne; angle += 2048) {
     disc.pose.angle.raw = static_cast<uint16_t>(angle);
     draw_whole(renderer, {&disc, 1}, second);
-    CHECK(ink(second) > plain * 997 / 1000 &&
-          ink(second) < plain * 1003 / 1000);
-    for (int32_t i = 0; angle % 16384 == 0 && i < kWidth * kHeight; ++i) {
-      const int32_t difference = picture[i] - second[i];
-      CHECK(difference <= 8 && difference >= -8);
-    }
+    CHECK(second.ink() > plain * 997 / 1000 &&
+          second.ink() < plain * 1003 / 1000);
+    CHECK(angle % 16384 != 0 || picture.difference(second) <= 8);
   }
   disc.pose.angle = {};
   disc.pose.scale_x.raw = 2048;
   draw_whole(renderer, {&disc, 1}, second);
-  CHECK(ink(second) > plain * 48 / 100 && ink(second) < plain * 52 / 100);
+  CHECK(second.ink() > plain * 48 / 100 && second.ink() < plain * 52 / 100);
   disc.pose.scale_x.raw = -4096;
   draw_whole(renderer, {&disc, 1}, second);
-  CHECK(ink(second) > plain * 99 / 100 && ink(second) < plain * 101 / 100);
+  CHECK(second.ink() > plain * 99 / 100 && second.ink() < plain * 101 / 100);
 }
 
 TEST(opacity_and_weight_change_the_ink) {
@@ -241,18 +176,18 @@ TEST(opacity_and_weight_change_the_ink) {
   disc.glyph = 1;
   disc.at = px(20, 40);
   draw_whole(renderer, {&disc, 1}, picture);
-  const int32_t plain = ink(picture);
+  const int32_t plain = picture.ink();
   disc.pose.opacity = 128;
   draw_whole(renderer, {&disc, 1}, picture);
-  CHECK(ink(picture) > plain * 49 / 100 && ink(picture) < plain * 51 / 100);
+  CHECK(picture.ink() > plain * 49 / 100 && picture.ink() < plain * 51 / 100);
   disc.pose.opacity = 0;
   draw_whole(renderer, {&disc, 1}, picture);
-  CHECK_EQ(ink(picture), 0);
+  CHECK_EQ(picture.ink(), 0);
   disc.pose.opacity = 255;
   disc.pose.weight = Q6_10::from_raw(1024);
   draw_whole(renderer, {&disc, 1}, picture);
   // A radius of 9.375 px becomes 10.375.
-  CHECK(ink(picture) > plain * 121 / 100 && ink(picture) < plain * 124 / 100);
+  CHECK(picture.ink() > plain * 121 / 100 && picture.ink() < plain * 124 / 100);
 }
 
 TEST(flips_never_blink) {
@@ -264,7 +199,7 @@ TEST(flips_never_blink) {
   for (int32_t scale = -4096; scale <= 4096; scale += 64) {
     bar.pose.scale_x.raw = static_cast<int16_t>(scale);
     draw_whole(renderer, {&bar, 1}, picture);
-    CHECK(ink(picture) > 255 * 8);
+    CHECK(picture.ink() > 255 * 8);
   }
 }
 
@@ -283,14 +218,11 @@ TEST(strips_make_no_difference) {
     draw_whole(renderer, {posed, 5}, picture);
     const int32_t kRowss[] = {1, 5, 16};
     for (const int32_t rows : kRowss) {
-      clear(second);
-      for (int32_t y = 0; y < kHeight; y += rows) {
-        Canvas canvas(second, intersect(kScreen, {0, y, kWidth, y + rows}));
-        renderer.draw({posed, 5}, canvas.sink());
-      }
-      for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      second.clear();
+      second.draw_strips(rows, [&](const Sink& sink) {
+        renderer.draw({posed, 5}, sink);
+      });
+      CHECK(picture == second);
     }
   }
 }
@@ -306,15 +238,8 @@ TEST(boxes_hold_what_is_drawn) {
     posed[0].at = px(random.between(0, kWidth), random.between(0, kHeight));
     posed[0].pose = any_pose(random);
     draw_whole(renderer, {posed, 1}, picture);
-    const Rect box = renderer.box(posed[0]);
-    seen += ink(picture) > 0 ? 1 : 0;
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        const bool is_in_box =
-            x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1;
-        CHECK(is_in_box || picture[y * kWidth + x] == 0);
-      }
-    }
+    seen += picture.ink() > 0 ? 1 : 0;
+    CHECK(picture.lies_in(renderer.box(posed[0])));
   }
   CHECK(seen > 30);
 }
@@ -347,8 +272,7 @@ TEST(changes_are_all_in_dirty_rectangles) {
           holders += x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1 ? 1 : 0;
         }
         CHECK(holders <= 1);
-        CHECK(holders == 1 ||
-              picture[y * kWidth + x] == second[y * kWidth + x]);
+        CHECK(holders == 1 || picture.at(x, y) == second.at(x, y));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "inkcell/motion/fade.hpp"
 #include "inkcell/motion/recipes.hpp"
 #include "outline_record.hpp"
+#include "picture.hpp"
 
 namespace {
 
@@ -40,81 +41,25 @@ const Font& font = test_font();
 const Style style(18_px);
 const Style small(14_px);
 
-using Picture = uint8_t[kWidth * kHeight];
-Picture whole;
-Picture expected;
+using Page = Picture<kWidth, kHeight, Overlap::light>;
+Page whole;
+Page expected;
 alignas(4) uint8_t ram[2048];
 
-// Fails if pixels leave the window.
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Canvas(Picture& target, const Rect& part)
-      : pixels(target), window(intersect(part, kAll)) {
-    for (int32_t y = window.y0; y < window.y1; ++y) {
-      for (int32_t x = window.x0; x < window.x1; ++x) {
-        pixels[y * kWidth + x] = 0;
-      }
-    }
-  }
-  Sink sink() { return {window, this, coverage, solid}; }
-
-  void put(int32_t x, int32_t y, uint32_t value) {
-    const bool fits =
-        x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1;
-    CHECK(fits && "pixels inside the window");
-    if (fits) {
-      uint8_t& pixel = pixels[y * kWidth + x];
-      pixel = static_cast<uint8_t>(pixel + (255u - pixel) * value / 255);
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, values[i]);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Canvas*>(context)->put(x + i, y, 255);
-    }
-  }
-};
-
+// Of other parts of the target nothing changes.
 template <typename Recipe>
-void draw(Recipe& recipe, Picture& target, const Rect& part) {
-  Canvas canvas(target, part);
-  if (!is_empty(canvas.window)) {
-    const Sink sink = canvas.sink();
+void draw(Recipe& recipe, Page& target, const Rect& part = kAll) {
+  const Sink sink = target.sink(part);
+  if (!is_empty(sink.window)) {
+    target.clear(sink.window);
     recipe.draw(Painter(sink, Workspace(ram)));
   }
-}
-
-bool equal() {
-  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-    if (whole[i] != expected[i]) {
-      return false;
-    }
-  }
-  return true;
-}
-
-int32_t ink_of(const Picture& picture) {
-  int32_t sum = 0;
-  for (const uint8_t pixel : picture) {
-    sum += pixel;
-  }
-  return sum;
 }
 
 // Draws what changed, as programs do, and compares it with all of the picture,
 // in strips.
 struct Screen {
-  Picture shown = {};
+  Page shown;
   int32_t redraws = 0;
   uint32_t pixels = 0;
 
@@ -130,10 +75,7 @@ struct Screen {
     for (int32_t y = 0; y < kHeight; y += 5) {
       ::draw(recipe, expected, {0, y, kWidth, y + 5});
     }
-    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-      whole[i] = shown[i];
-    }
-    CHECK(equal());
+    CHECK(shown == expected);
   }
   void wait_until(int32_t) const {}
 };
@@ -141,12 +83,11 @@ struct Screen {
 // The pictures at rest, from plain text.
 template <typename Recipe>
 void check_plain(Recipe& recipe, Point origin, Text text) {
-  draw(recipe, whole, kAll);
-  Canvas canvas(expected, kAll);
-  const Sink sink = canvas.sink();
-  Painter(sink, Workspace(ram)).text(font, style, origin, text);
-  CHECK(ink_of(expected) > 0);
-  CHECK(equal());
+  draw(recipe, whole);
+  expected.clear();
+  Painter(expected.sink(), Workspace(ram)).text(font, style, origin, text);
+  CHECK(expected.ink() > 0);
+  CHECK(whole == expected);
 }
 
 // The examples of docs/ANIMATING.md.
@@ -283,18 +224,18 @@ TEST(counters_roll) {
   // Leading zeros are blank, too large numbers stop at the largest.
   counter.roll(7, 7, {});
   counter.at(0);
-  draw(counter, whole, kAll);
-  const int32_t seven = ink_of(whole);
+  draw(counter, whole);
+  const int32_t seven = whole.ink();
   counter.roll(5000, 5000, {});
   counter.at(0);
-  draw(counter, whole, kAll);
+  draw(counter, whole);
   CHECK_EQ(counter.value(), 999u);
-  const int32_t most = ink_of(whole);
+  const int32_t most = whole.ink();
   CHECK(most > 2 * seven && seven > 0);
   counter.roll(999, 999, {});
   counter.at(0);
-  draw(counter, whole, kAll);
-  CHECK_EQ(ink_of(whole), most);
+  draw(counter, whole);
+  CHECK_EQ(whole.ink(), most);
   counter.roll(-20, -20, {});
   counter.at(0);
   CHECK_EQ(counter.value(), 0u);
@@ -333,7 +274,7 @@ TEST(clocks_roll_without_pairs) {
   // Any minute and any time.
   clock.at(0xffffffff, 0xfffffffe, INT32_MIN);
   clock.at(1439, 1440, INT32_MAX);
-  draw(clock, whole, kAll);
+  draw(clock, whole);
 }
 
 TEST(clocks_show_seconds) {
@@ -354,13 +295,15 @@ TEST(clocks_show_seconds) {
   // At rest, 12:13:14: as 12:13, and 13:14 a pair of digits further.
   const uint32_t later = 12 * 3600 + 13 * 60 + 14;
   clock.at(later, later, 0);
-  draw(clock, whole, kAll);
+  draw(clock, whole);
   Clock minutes(font, small, {2, 30});
   minutes.at(12 * 60 + 13, 12 * 60 + 13, 0);
-  draw(minutes, expected, kAll);
+  draw(minutes, expected);
   const int32_t end = minutes.box().x1 - 2;
-  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-    CHECK(i % kWidth >= end || whole[i] == expected[i]);
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = 0; x < end; ++x) {
+      CHECK_EQ(whole.at(x, y), expected.at(x, y));
+    }
   }
   const uint16_t colon = font.glyph_or_notdef(':');
   const int32_t from_q6 = 2 * 64 + 2 * to_px(font, small, 768).raw +
@@ -368,15 +311,17 @@ TEST(clocks_show_seconds) {
   const int32_t from = (from_q6 >> 6) + 1;
   Clock last(font, small, {Q26_6::from_raw(from_q6), 30_px});
   last.at(13 * 60 + 14, 13 * 60 + 14, 0);
-  draw(last, expected, kAll);
-  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-    CHECK(i % kWidth < from || whole[i] == expected[i]);
+  draw(last, expected);
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = from; x < kWidth; ++x) {
+      CHECK_EQ(whole.at(x, y), expected.at(x, y));
+    }
   }
   // Any second and any time.
   CHECK(is_empty(clock.at(later + 86400, later, 0)));
   clock.at(0xffffffff, 0xfffffffe, INT32_MIN);
   clock.at(86399, 86400, INT32_MAX);
-  draw(clock, whole, kAll);
+  draw(clock, whole);
 }
 
 // Digits that lean out of their cells, as those of italics do.
@@ -398,23 +343,19 @@ TEST(ink_overhangs_its_cell) {
   Counter counter(leaning, style, at, 1);
   counter.roll(7, 7, {});
   const Rect changed = counter.at(0);
-  draw(counter, whole, kAll);
-  {
-    Canvas canvas(expected, kAll);
-    Painter(canvas.sink(), Workspace(ram)).text(leaning, style, at, "7");
-  }
-  CHECK(ink_of(expected) > 0);
-  CHECK(equal());
+  draw(counter, whole);
+  expected.clear();
+  Painter(expected.sink(), Workspace(ram)).text(leaning, style, at, "7");
+  CHECK(expected.ink() > 0);
+  CHECK(whole == expected);
   const Rect ink = Painter().box(leaning, style, at, "7");
   CHECK(changed.x0 <= ink.x0 && changed.x1 >= ink.x1);
   // A clock's digit, and what is drawn again of both.
   Clock clock(leaning, style, at);
   clock.at(0, 1, 0);
-  {
-    Canvas canvas(whole, kAll);
-    clock.draw_digit(Painter(canvas.sink(), Workspace(ram)), style, 0);
-  }
-  CHECK(equal());
+  whole.clear();
+  clock.draw_digit(Painter(whole.sink(), Workspace(ram)), style, 0);
+  CHECK(whole == expected);
   Screen first;
   Clock other(leaning, style, at);
   for (int32_t now = 0; now < Clock::kEndMs + kFrameMs; now += kFrameMs) {
@@ -438,8 +379,8 @@ TEST(typewriters_type) {
   line.at(450 + 530, {});  // the caret is off
   check_plain(line, {2, 30}, "012:3");
   line.at(2 * 90 + 89, {});
-  draw(line, whole, kAll);
-  CHECK_EQ(whole[28 * kWidth + line.caret().x0], 255);
+  draw(line, whole);
+  CHECK_EQ(whole.at(line.caret().x0, 28), 255);
   // It erases where time goes back.
   for (int32_t now = 600; now > -50; now -= 17) {
     screen.redraw(line.at(now, {}), line);
@@ -463,14 +404,14 @@ TEST(wipes_reveal_and_hide) {
   int32_t last = -1;
   for (int32_t now = 0; now <= 1000; now += 50) {
     shows.at(now, {});
-    draw(shows, whole, kAll);
-    const int32_t ink = ink_of(whole);
+    draw(shows, whole);
+    const int32_t ink = whole.ink();
     CHECK(now == 0 ? ink == 0 : ink >= last);
     last = ink;
     screen.redraw(hides.at(now, {}), hides);
   }
   check_plain(shows, {2, 30}, "01234");
-  CHECK_EQ(ink_of(screen.shown), 0);
+  CHECK_EQ(screen.shown.ink(), 0);
   hides.at(0, {});
   check_plain(hides, {2, 30}, "01234");
 }
@@ -490,14 +431,14 @@ TEST(letters_move_one_after_the_other) {
   PoseRenderer renderer(font, style.size());
   MovingLetters letters(renderer, font, run, where, motion);
   CHECK(!is_empty(letters.at(0)));
-  draw(letters, whole, kAll);
-  const int32_t rest = ink_of(whole);
+  draw(letters, whole);
+  const int32_t rest = whole.ink();
   letters.at(275);  // between the second and the third
-  draw(letters, whole, kAll);
-  CHECK(ink_of(whole) > rest * 5 / 4);
+  draw(letters, whole);
+  CHECK(whole.ink() > rest * 5 / 4);
   letters.at(800);
-  draw(letters, whole, kAll);
-  CHECK_EQ(ink_of(whole), rest);
+  draw(letters, whole);
+  CHECK_EQ(whole.ink(), rest);
   letters.at(INT32_MIN);
   letters.at(INT32_MAX);
 }
@@ -520,12 +461,12 @@ TEST(tickers_fade_at_their_ends) {
   int32_t columns[2] = {};
   for (int32_t now = 0; now < 4000; now += 33) {
     ticker.at(now);
-    draw(ticker, whole, kAll);
+    draw(ticker, whole);
     for (int32_t y = 0; y < kHeight; ++y) {
-      columns[0] =
-          whole[y * kWidth] > columns[0] ? whole[y * kWidth] : columns[0];
-      columns[1] = whole[y * kWidth + 48] > columns[1] ? whole[y * kWidth + 48]
-                                                       : columns[1];
+      for (int32_t i = 0; i < 2; ++i) {
+        const int32_t coverage = whole.at(48 * i, y);
+        columns[i] = coverage > columns[i] ? coverage : columns[i];
+      }
     }
   }
   CHECK(columns[0] < 10);
@@ -540,8 +481,8 @@ TEST(tickers_fade_at_their_ends) {
 }
 
 TEST(soft_windows_are_linear) {
-  Canvas canvas(whole, kAll);
-  const Sink target = canvas.sink();
+  whole.clear();
+  const Sink target = whole.sink();
   SoftWindow soft;
   soft.target = &target;
   soft.window = {10, 5, 30, 25};
@@ -551,13 +492,13 @@ TEST(soft_windows_are_linear) {
   for (int32_t y = 5; y < 25; ++y) {
     sink.solid(sink.context, 10, y, 20);
   }
-  CHECK_EQ(whole[20 * kWidth + 10], 15);  // 255 / 16
-  CHECK_EQ(whole[20 * kWidth + 11], 47);
-  CHECK_EQ(whole[20 * kWidth + 18], 255);
-  CHECK_EQ(whole[20 * kWidth + 29], 255);
-  CHECK_EQ(whole[5 * kWidth + 20], 31);  // 255 / 8
-  CHECK_EQ(whole[5 * kWidth + 10], 2);
-  CHECK_EQ(whole[20 * kWidth + 30], 0);
+  CHECK_EQ(whole.at(10, 20), 15);  // 255 / 16
+  CHECK_EQ(whole.at(11, 20), 47);
+  CHECK_EQ(whole.at(18, 20), 255);
+  CHECK_EQ(whole.at(29, 20), 255);
+  CHECK_EQ(whole.at(20, 5), 31);  // 255 / 8
+  CHECK_EQ(whole.at(10, 5), 2);
+  CHECK_EQ(whole.at(30, 20), 0);
 }
 
 // As docs/ANIMATING.md says, on 32 bits.

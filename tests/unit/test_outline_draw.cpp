@@ -91,80 +91,14 @@ void draw(Picture<kWidth, kHeight>& picture,
 // In the middle of the sheet below.
 constexpr Point kMiddle = at(5 * 64 + 21, 27 * 64 + 37);
 
-// What is drawn, in any order; fails if a pixel comes twice or lies outside the
-// window.
 constexpr int32_t kSide = 40;
 constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
-uint8_t picture[kSide * kSide];
-uint8_t expected[kSide * kSide];
-uint8_t drawn[kSide * kSide / 8];  // bits
-
-struct Sheet {
-  Rect window = kAll;
-
-  Sheet() {
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      picture[i] = 0;
-      drawn[i / 8] = 0;
-    }
-  }
-  Sink sink(const Rect& part = kAll) {
-    window = intersect(part, kAll);
-    return {window, this, coverage, solid};
-  }
-  void put(int32_t x, int32_t y, uint8_t value) const {
-    const bool fits =
-        y >= window.y0 && y < window.y1 && x >= window.x0 && x < window.x1;
-    CHECK(fits && "pixel inside the window");
-    if (fits) {
-      const int32_t i = (y - kAll.y0) * kSide + x - kAll.x0;
-      CHECK((drawn[i / 8] >> i % 8 & 1) == 0 && "pixel drawn once");
-      drawn[i / 8] |= static_cast<uint8_t>(1 << i % 8);
-      picture[i] = value;
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    CHECK(count >= 1 && count <= kMaxSpan);
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<const Sheet*>(context)->put(x + i, y, coverage[i]);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<const Sheet*>(context)->put(x + i, y, 255);
-    }
-  }
-};
-
-int32_t ink() {
-  int32_t sum = 0;
-  for (const uint8_t pixel : picture) {
-    sum += pixel;
-  }
-  return sum;
-}
-
-void keep() {
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    expected[i] = picture[i];
-  }
-}
-
-void check_same(int32_t apart = 0) {
-  for (int32_t i = 0; i < kSide * kSide && !check::failed(); ++i) {
-    if (picture[i] < expected[i] - apart || picture[i] > expected[i] + apart) {
-      CHECK_EQ(picture[i], expected[i]);
-    }
-  }
-}
+Picture<kSide, kSide> picture(kAll.x0, kAll.y0);
+Picture<kSide, kSide> expected(kAll.x0, kAll.y0);
 
 void draw_whole(const Font& font, uint16_t glyph, const Style& style) {
-  Sheet sheet;
-  Painter(sheet.sink()).glyph(font, style, kMiddle, glyph);
+  picture.clear();
+  Painter(picture.sink()).glyph(font, style, kMiddle, glyph);
 }
 
 // Every style that outlines have.
@@ -309,18 +243,17 @@ TEST(windows_leave_the_picture) {
   for (const Style& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
       draw_whole(font, glyph, style);
-      CHECK(ink() > 0);
-      keep();
+      CHECK(picture.ink() > 0);
+      expected = picture;
       for (int32_t cut = 3; cut < kSide; cut += 9) {
-        Sheet windows;
-        const int32_t x = kAll.x0 + cut;
-        for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
-          Painter(windows.sink({kAll.x0, y, x, y + cut}), {ram, 900})
+        picture.clear();
+        bool is_left = false;
+        picture.draw_parts(cut, cut, [&](const Sink& sink) {
+          is_left = !is_left;
+          Painter(sink, is_left ? Workspace(ram, 900) : Workspace())
               .glyph(font, style, kMiddle, glyph);
-          Painter(windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})))
-              .glyph(font, style, kMiddle, glyph);
-        }
-        check_same();
+        });
+        CHECK(picture == expected);
       }
     }
   }
@@ -331,19 +264,18 @@ TEST(workspaces_leave_the_picture) {
   Styles styles;
   for (const Style& style : styles.styles) {
     draw_whole(font, whole, style);
-    keep();
+    expected = picture;
     const size_t sizes[] = {0, 1, 3, 791, 792, 867, 868, 1500, sizeof(ram) - 3};
     for (const size_t size : sizes) {
       for (uint32_t odd = 0; odd < 4; ++odd) {
-        Sheet sheet;
-        for (int32_t y = kAll.y0; y < kAll.y1; y += 13) {
-          const Sink part = sheet.sink({kAll.x0, y, kAll.x1, y + 13});
+        picture.clear();
+        picture.draw_strips(13, [&](const Sink& sink) {
           for (uint8_t& byte : ram) {
             byte = 0x5a;  // its content has no meaning
           }
-          Painter(part, {ram + odd, size}).glyph(font, style, kMiddle, whole);
-        }
-        check_same();
+          Painter(sink, {ram + odd, size}).glyph(font, style, kMiddle, whole);
+        });
+        CHECK(picture == expected);
       }
     }
   }
@@ -354,9 +286,10 @@ TEST(composites_equal_their_parts) {
   Styles styles;
   for (const Style& style : styles.styles) {
     draw_whole(font, whole, style);
-    keep();
+    expected = picture;
     draw_whole(font, parts, style);
-    check_same(2);  // points of parts that are mapped are rounded
+    // Points of parts that are mapped are rounded.
+    CHECK(picture.difference(expected) <= 2);
   }
 }
 
@@ -366,21 +299,14 @@ TEST(a_prepared_glyph_is_the_same) {
   for (const Style& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
       draw_whole(font, glyph, style);
-      keep();
+      expected = picture;
       PreparedGlyph prepared;
       CHECK_OK(PreparedGlyph::make(font, glyph, style, kMiddle,
                                    {ram, sizeof(ram)}, prepared));
-      Sheet sheet;
-      for (int32_t y = kAll.y0; y < kAll.y1; y += 7) {
-        prepared.draw(sheet.sink({kAll.x0, y, kAll.x1, y + 7}));
-      }
-      check_same();
-      const Rect box = prepared.box();
-      for (int32_t i = 0; i < kSide * kSide; ++i) {
-        const Rect pixel = {kAll.x0 + i % kSide, kAll.y0 + i / kSide,
-                            kAll.x0 + i % kSide + 1, kAll.y0 + i / kSide + 1};
-        CHECK(picture[i] == 0 || !is_empty(intersect(box, pixel)));
-      }
+      picture.clear();
+      picture.draw_strips(7, [&](const Sink& sink) { prepared.draw(sink); });
+      CHECK(picture == expected);
+      CHECK(picture.lies_in(prepared.box()));
     }
   }
 }
@@ -397,9 +323,9 @@ TEST(a_prepared_glyph_says_what_it_lacks) {
   CHECK(is_empty(prepared.box()));
   CHECK_OK(PreparedGlyph::make(font, 0, style, kMiddle, {ram, 2000}, prepared));
   CHECK(is_empty(prepared.box()));
-  Sheet sheet;
-  prepared.draw(sheet.sink());
-  CHECK_EQ(ink(), 0);
+  picture.clear();
+  prepared.draw(picture.sink());
+  CHECK_EQ(picture.ink(), 0);
 }
 
 TEST(areas_are_the_same_at_every_position) {
@@ -407,11 +333,11 @@ TEST(areas_are_the_same_at_every_position) {
   const Style style = area_style();
   for (int32_t x_q6 = 0; x_q6 < 64; x_q6 += 7) {
     for (int32_t y_q6 = 0; y_q6 < 64; y_q6 += 9) {
-      Sheet sheet;
-      Painter(sheet.sink())
+      picture.clear();
+      Painter(picture.sink())
           .glyph(font, style, at(x_q6, 20 * 64 + y_q6), square);
       // 6 px by 6 px.
-      CHECK(ink() >= 36 * 254 && ink() <= 36 * 256);
+      CHECK(picture.ink() >= 36 * 254 && picture.ink() <= 36 * 256);
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/shadow.hpp"
 #include "inkcell/stroke.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
 
@@ -15,6 +15,7 @@ namespace {
 
 using namespace inkcell;
 using outline_record::OutlinePoint;
+using outline_record::sample_font;
 
 constexpr int32_t kWidth = 32;
 constexpr int32_t kHeight = 28;
@@ -24,16 +25,7 @@ constexpr int32_t kChannels = 3;
 constexpr int32_t kX = 6 * 64 + 13;
 constexpr int32_t kY = 21 * 64 + 40;
 constexpr int32_t kSizePx = 18;
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
 alignas(4) uint8_t ram[2560];
-
-Font sample_font() {
-  Font font;
-  const size_t size =
-      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
-  CHECK_OK(Font::open({font_bytes, size}, font));
-  return font;
-}
 
 const Span<const OutlinePoint> kShapes[] = {{},
                                             outline_record::kDisc,
@@ -71,10 +63,6 @@ void draw(const Font& font, uint16_t glyph, const Style& style, Canvas& out) {
   out.clear();
   Painter(out.sink(kAll), {ram, sizeof(ram)})
       .glyph(font, style, kOrigin, glyph);
-}
-
-int32_t magnitude(int32_t value) {
-  return value < 0 ? -value : value;
 }
 
 // How far coverage may be from a picture of true distances.

@@ -3,6 +3,7 @@
 #include "inkcell/painter.hpp"
 
 #include "check.hpp"
+#include "ink.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
@@ -13,71 +14,17 @@
 #include "inkcell/shaped_run.hpp"
 #include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 
 namespace {
 
 using namespace inkcell;
+using outline_record::sample_font;
 
 constexpr char kText[] = "ADE F";
 constexpr int32_t kTurned = 4;
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
-
-Font sample_font() {
-  Font font;
-  const size_t size =
-      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
-  CHECK_OK(Font::open({font_bytes, size}, font));
-  return font;
-}
-
-// A sink that finds the box of the pixels that are not empty.
-struct Touched {
-  Rect box;
-
-  Sink sink() {
-    return {
-        {-200, -200, 300, 300}, this, coverage, solid, nullptr, coverage_rgb};
-  }
-  void add(int32_t x, int32_t y, int32_t count) {
-    if (is_empty(box)) {
-      box = {x, y, x + count, y + 1};
-    }
-    box = {x < box.x0 ? x : box.x0, y < box.y0 ? y : box.y0,
-           x + count > box.x1 ? x + count : box.x1,
-           y + 1 > box.y1 ? y + 1 : box.y1};
-  }
-  void add_covered(int32_t x,
-                   int32_t y,
-                   const uint8_t* coverage,
-                   int32_t count,
-                   int32_t channels) {
-    for (int32_t i = 0; i < count * channels; ++i) {
-      if (coverage[i] != 0) {
-        add(x + i / channels, y, 1);
-      }
-    }
-  }
-
-  static Touched& of(void* context) { return *static_cast<Touched*>(context); }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    of(context).add_covered(x, y, coverage, count, 1);
-  }
-  static void coverage_rgb(void* context,
-                           int32_t x,
-                           int32_t y,
-                           const uint8_t* coverage,
-                           int32_t count) {
-    of(context).add_covered(x, y, coverage, count, 3);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    of(context).add(x, y, count);
-  }
-};
+// Text may leave the screen on all sides.
+constexpr Rect kAll = {-200, -200, 300, 300};
 
 bool is_same(const Rect& a, const Rect& b) {
   return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
@@ -106,8 +53,8 @@ void check_boxes(const char* name,
   bool is_right = true;
   const Point origins[] = {at(0, 0), at(13, 40), at(-411, 3001), at(640, -27)};
   for (const Point origin : origins) {
-    Touched touched;
-    const Sink sink = touched.sink();
+    Ink touched;
+    const Sink sink = touched.sink(kAll);
     const Painter painter(sink);
     painter.text(font, style, origin, kText);
     is_right &=
@@ -189,8 +136,8 @@ TEST(boxes_of_soft_edges_hold_them) {
   const Filter* const filters[] = {&glow, &shadow};
   for (const Filter* filter : filters) {
     Style style(Q26_6::from_int(16), *filter);
-    Touched touched;
-    const Sink sink = touched.sink();
+    Ink touched;
+    const Sink sink = touched.sink(kAll);
     const Painter painter(sink);
     painter.text(font, style, {}, kText);
     const Rect box = painter.box(font, style, {}, kText);
@@ -256,9 +203,8 @@ TEST(measures_in_pixels_are_those_in_units) {
 
 // The rows of ink above the baseline.
 int32_t height_of(const Font& font, const Style& style, Text text) {
-  Touched touched;
-  const Sink sink = touched.sink();
-  Painter(sink).text(font, style, at(0, 200 * 64), text);
+  Ink touched;
+  Painter(touched.sink(kAll)).text(font, style, at(0, 200 * 64), text);
   return 200 - touched.box.y0;
 }
 
@@ -268,6 +214,7 @@ TEST(sizes_by_the_height_of_capitals_and_digits) {
   const OutlineSource glyphs[] = {
       {600, {kBar, 4}}, {600, {kBar, 4}}, {600, {kEll, 6}}};
   const auto open = [&](uint32_t first, int32_t cap_height) {
+    alignas(4) static uint8_t font_bytes[kSampleFontBytes];
     const size_t size = build_outline_font({glyphs, 3}, 0, first, font_bytes);
     font_builder::put_u16(font_bytes + format::header::kCapHeight,
                           static_cast<uint32_t>(cap_height));

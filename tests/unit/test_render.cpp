@@ -16,93 +16,9 @@ using font_builder::Record;
 
 constexpr int32_t kSide = 40;
 
-// A window of at most kSide x kSide pixels that checks what a sink is promised.
-class Canvas {
- public:
-  // An empty picture.
-  void clear(const Rect& window) {
-    x0_ = window.x0;
-    y0_ = window.y0;
-    for (uint8_t& pixel : pixels_) {
-      pixel = 0;
-    }
-    open(window);
-  }
-  // Another part of the picture: it may be drawn to, the rest not.
-  void open(const Rect& window) {
-    window_ = window;
-    for (bool& pixel : drawn_) {
-      pixel = false;
-    }
-  }
-
-  Sink sink() { return {window_, this, coverage, solid}; }
-  uint8_t& at(int32_t x, int32_t y) {
-    return pixels_[(y - y0_) * kSide + x - x0_];
-  }
-  int64_t ink() const {
-    int64_t sum = 0;
-    for (const uint8_t pixel : pixels_) {
-      sum += pixel;
-    }
-    return sum;
-  }
-  bool equals(const Canvas& other) const {
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      if (pixels_[i] != other.pixels_[i]) {
-        return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  bool begin(int32_t x, int32_t y, int32_t count) {
-    const bool inside = count >= 1 && y >= window_.y0 && y < window_.y1 &&
-                        x >= window_.x0 && x < window_.x1 &&
-                        count <= window_.x1 - x;
-    CHECK(inside && "pixels inside the window");
-    if (inside) {
-      bool* const drawn = drawn_ + (y - y0_) * kSide + x - x0_;
-      for (int32_t i = 0; i < count; ++i) {
-        CHECK(!drawn[i] && "no pixel twice");
-        drawn[i] = true;
-      }
-    }
-    return inside;
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    auto& canvas = *static_cast<Canvas*>(context);
-    CHECK(count <= kMaxSpan);
-    if (canvas.begin(x, y, count)) {
-      for (int32_t i = 0; i < count; ++i) {
-        canvas.at(x + i, y) = coverage[i];
-      }
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    auto& canvas = *static_cast<Canvas*>(context);
-    if (canvas.begin(x, y, count)) {
-      for (int32_t i = 0; i < count; ++i) {
-        canvas.at(x + i, y) = 255;
-      }
-    }
-  }
-
-  Rect window_;
-  int32_t x0_ = 0;
-  int32_t y0_ = 0;
-  uint8_t pixels_[kSide * kSide] = {};
-  bool drawn_[kSide * kSide] = {};
-};
-
 // Too large for the stack of a small board.
-Canvas canvas;
-Canvas reference;
+Picture<kSide, kSide> canvas;
+Picture<kSide, kSide> reference;
 Record record;
 
 alignas(4) uint8_t bytes[1536];
@@ -156,13 +72,18 @@ int32_t tolerance_of(const Style& style) {
   return style.size().raw <= 64 * 64 ? 3 : 8;
 }
 
+// An empty picture whose first pixel is that of `window`; the sink for it.
+Sink clear(Picture<kSide, kSide>& picture, const Rect& window) {
+  picture.clear_at(window.x0, window.y0);
+  return picture.sink(window);
+}
+
 // draw_field against distances one by one and the filter.
 void check_plain_chain(const GlyphField& field,
                        const Style& style,
                        const FinePoint& origin,
                        const Rect& window) {
-  canvas.clear(window);
-  draw_field(field, style, origin, canvas.sink());
+  draw_field(field, style, origin, clear(canvas, window));
   for (int32_t y = window.y0; y < window.y1; ++y) {
     Q6_10 distances[kSide];
     const auto width = static_cast<size_t>(window.x1 - window.x0);
@@ -219,17 +140,15 @@ TEST(windows_do_not_change_any_cells) {
       const Rect window = window_in(random, box);
       const int32_t x = random.between(window.x0, window.x1);
       const int32_t y = random.between(window.y0, window.y1);
-      reference.clear(window);
-      draw_field(field, style, origin, reference.sink());
-      canvas.clear(window);
+      draw_field(field, style, origin, clear(reference, window));
+      canvas.clear_at(window.x0, window.y0);
       for (int part = 0; part < 4; ++part) {
-        canvas.open(intersect(
-            window,
-            {part % 2 == 0 ? window.x0 : x, part / 2 == 0 ? window.y0 : y,
-             part % 2 == 0 ? x : window.x1, part / 2 == 0 ? y : window.y1}));
-        draw_field(field, style, origin, canvas.sink());
+        const Rect quarter = {
+            part % 2 == 0 ? window.x0 : x, part / 2 == 0 ? window.y0 : y,
+            part % 2 == 0 ? x : window.x1, part / 2 == 0 ? y : window.y1};
+        draw_field(field, style, origin, canvas.sink(quarter));
       }
-      CHECK(canvas.equals(reference));
+      CHECK(canvas == reference);
     }
   }
 }
@@ -244,24 +163,20 @@ void check_strips(int32_t size) {
     const Style style = style_of(size, turn);
     const FinePoint origin(turn[0] > 0 ? 123 : 30123,
                            turn[1] < 0 ? 4567 : 28765);
-    reference.clear(all);
-    draw_field(field, style, origin, reference.sink());
+    draw_field(field, style, origin, clear(reference, all));
     CHECK(reference.ink() > 0);
+    const auto draw = [&](const Sink& sink) {
+      draw_field(field, style, origin, sink);
+    };
     for (int32_t rows = 1; rows < kSide; ++rows) {
-      canvas.clear(all);
-      for (int32_t y = all.y0; y < all.y1; y += rows) {
-        canvas.open(intersect(all, {all.x0, y, all.x1, y + rows}));
-        draw_field(field, style, origin, canvas.sink());
-      }
-      CHECK(canvas.equals(reference));
+      canvas.clear_at(all.x0, all.y0);
+      canvas.draw_strips(rows, draw);
+      CHECK(canvas == reference);
     }
-    for (int32_t x = all.x0; x <= all.x1; ++x) {
-      canvas.clear(all);
-      canvas.open({all.x0, all.y0, x, all.y1});
-      draw_field(field, style, origin, canvas.sink());
-      canvas.open({x, all.y0, all.x1, all.y1});
-      draw_field(field, style, origin, canvas.sink());
-      CHECK(canvas.equals(reference));
+    for (int32_t column = 0; column <= kSide; ++column) {
+      canvas.clear();
+      canvas.draw_parts(kSide, column, draw);
+      CHECK(canvas == reference);
     }
   }
 }
@@ -345,13 +260,11 @@ TEST(quarter_turns_turn_the_picture) {
   const Rect around = {-20, -20, 20, 20};
   const int32_t sizes[] = {8 * 64, 16 * 64, 32 * 64};  // exact steps
   for (const int32_t size : sizes) {
-    reference.clear(around);
-    draw_field(field, style_of(size), {}, reference.sink());
+    draw_field(field, style_of(size), {}, clear(reference, around));
     CHECK(reference.ink() > 0);
     for (int quarter = 1; quarter < 4; ++quarter) {
-      canvas.clear(around);
       draw_field(field, style_of(size, kDirections[quarter]), {},
-                 canvas.sink());
+                 clear(canvas, around));
       for (int32_t y = -20; y < 20; ++y) {
         for (int32_t x = -20; x < 20; ++x) {
           const int32_t from_x[] = {x, -1 - y, -1 - x, y};
@@ -403,8 +316,8 @@ TEST(turned_shapes_are_where_they_should_be) {
   const GlyphField field = field_of(font_builder::disc);
   const double size = 30;
   for (const auto& turn : kDirections) {
-    canvas.clear({-20, -20, 20, 20});
-    draw_field(field, style_of(30 * 64, turn), {}, canvas.sink());
+    draw_field(field, style_of(30 * 64, turn), {},
+               clear(canvas, {-20, -20, 20, 20}));
     const double cosine = turn[0] / static_cast<double>(kOne);
     const double sine = turn[1] / static_cast<double>(kOne);
     for (int32_t y = -20; y < 20; ++y) {
@@ -429,16 +342,15 @@ TEST(moving_by_pixels_moves_the_picture) {
   const int32_t places[] = {-32767, -32700, -1, 1, 12345, 32767 - kSide};
   for (const auto& turn : kDirections) {
     const Style style = style_of(33 * 64, turn);
-    reference.clear({0, 0, kSide, kSide});
-    draw_field(field, style, {20200, 20100}, reference.sink());
+    draw_field(field, style, {20200, 20100},
+               clear(reference, {0, 0, kSide, kSide}));
     CHECK(reference.ink() > 0);
     for (const int32_t x : places) {
       for (const int32_t y : places) {
-        canvas.clear({x, y, x + kSide, y + kSide});
         draw_field(field, style,
                    {20200 + int64_t{x} * 1024, 20100 + int64_t{y} * 1024},
-                   canvas.sink());
-        CHECK(canvas.equals(reference));
+                   clear(canvas, {x, y, x + kSide, y + kSide}));
+        CHECK(canvas == reference);
       }
     }
   }
@@ -489,8 +401,7 @@ TEST(the_largest_grids_are_harmless) {
       const Style style = style_of(size, turn);
       const Rect box = field_box(field, style, {100, 100});
       const auto draw_in = [&field, &style](const Rect& window) {
-        canvas.clear(window);
-        draw_field(field, style, {100, 100}, canvas.sink());
+        draw_field(field, style, {100, 100}, clear(canvas, window));
       };
       const Rect corners[] = {{box.x0 - 1, box.y0 - 1, 0, 0},
                               {box.x1 - kSide + 1, box.y0 - 1, 0, 0},
@@ -506,13 +417,12 @@ TEST(the_largest_grids_are_harmless) {
 
 TEST(nothing_to_draw) {
   const GlyphField field = field_of(font_builder::disc);
-  canvas.clear({0, 0, kSide, kSide});
+  canvas.clear_at(0, 0);
   draw_field(GlyphField{}, style_of(1000), {20000, 20000}, canvas.sink());
   CHECK(is_empty(field_box(GlyphField{}, style_of(1000), {})));
   const Rect windows[] = {{0, 0, 0, 40}, {0, 0, 40, 0}, {40, 40, 0, 0}};
   for (const Rect& window : windows) {
-    canvas.open(window);
-    draw_field(field, style_of(1000), {0, 30000}, canvas.sink());
+    draw_field(field, style_of(1000), {0, 30000}, canvas.sink(window));
   }
   CHECK_EQ(canvas.ink(), 0);
 }
@@ -575,7 +485,7 @@ TEST(far_glyphs_show_nothing) {
   constexpr int64_t kFar = int64_t{1} << 32;
   const int64_t ways[] = {kFar, -kFar, 3 * kFar};
   for (const int64_t way : ways) {
-    canvas.clear({0, 0, kSide, kSide});
+    canvas.clear_at(0, 0);
     draw_field(field, style, {way, 20 * 1024}, canvas.sink());
     draw_field(field, style, {0, way + 20 * 1024}, canvas.sink());
     CHECK_EQ(canvas.ink(), 0);

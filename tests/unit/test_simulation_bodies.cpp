@@ -5,6 +5,7 @@
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/simulation/bodies.hpp"
 #include "inkcell/simulation/body_draw.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -26,7 +27,7 @@ constexpr Rect kRoom = {0, 0, 200, 180};
 
 Body bodies[kCount];
 BodyContact contacts[4 * 40];
-uint8_t picture[2][64 * 64];
+Picture<64, 64> picture[2];
 
 int32_t worst_overlap() {
   int32_t most = 0;
@@ -96,58 +97,14 @@ struct Board {
     }
     CHECK_OK(shape.make(grid, edge));
   }
-  static int32_t magnitude(int32_t value) { return value < 0 ? -value : value; }
 };
-
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Sink sink() {
-    return {window, this, coverage,
-            [](void* context, int32_t x, int32_t y, int32_t count) {
-              uint8_t full[64];
-              for (uint8_t& value : full) {
-                value = 255;
-              }
-              CHECK(count <= 64);
-              coverage(context, x, y, full, count);
-            }};
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    const Canvas& canvas = *static_cast<Canvas*>(context);
-    const Rect& w = canvas.window;
-    CHECK(count >= 1 && x >= w.x0 && x + count <= w.x1);
-    CHECK(y >= w.y0 && y < w.y1);
-    for (int32_t i = 0; i < count; ++i) {
-      uint8_t& pixel = canvas.pixels[y * 64 + x + i];
-      CHECK_EQ(pixel, 0);
-      pixel = values[i];
-    }
-  }
-};
-
-void clear(uint8_t (&pixels)[64 * 64]) {
-  for (uint8_t& pixel : pixels) {
-    pixel = 0;
-  }
-}
 
 // Draws one of two bodies on its picture; returns its ink.
 int32_t draw_pair(const BodyRules& rules, int i) {
-  clear(picture[i]);
-  Canvas canvas = {picture[i], {0, 0, 64, 64}};
+  picture[i].clear();
   draw_body({bodies, 2}, static_cast<size_t>(i), rules, kFilterMotion,
-            canvas.sink());
-  int32_t ink = 0;
-  for (const uint8_t coverage : picture[i]) {
-    ink += coverage;
-  }
-  return ink;
+            picture[i].sink());
+  return picture[i].ink();
 }
 
 }  // namespace
@@ -308,23 +265,24 @@ TEST(soft_bodies_meet_at_one_line) {
     CHECK(now > ink[i] * 99 / 100 && now < ink[i] * 101 / 100);
   }
   int32_t shared = 0;
-  for (int32_t i = 0; i < 64 * 64; ++i) {
-    CHECK(picture[0][i] + picture[1][i] <= 300);
-    shared += picture[0][i] > 60 && picture[1][i] > 60 ? 1 : 0;
+  for (int32_t y = 0; y < 64; ++y) {
+    for (int32_t x = 0; x < 64; ++x) {
+      const int32_t first = picture[0].at(x, y);
+      const int32_t second = picture[1].at(x, y);
+      CHECK(first + second <= 300);
+      shared += first > 60 && second > 60 ? 1 : 0;
+    }
   }
   CHECK(shared >= 3);  // both end there
   // Strips, and parts of them, give the same picture.
-  clear(picture[1]);
+  picture[1].clear();
   for (int32_t y = 0; y < 64; y += 5) {
     for (int32_t x = 0; x < 64; x += 20) {
-      const Rect part = intersect({x, y, x + 20, y + 5}, {0, 0, 64, 64});
-      Canvas canvas = {picture[1], part};
-      draw_body({bodies, 2}, 0, rules, kFilterMotion, canvas.sink());
+      draw_body({bodies, 2}, 0, rules, kFilterMotion,
+                picture[1].sink({x, y, x + 20, y + 5}));
     }
   }
-  for (int32_t i = 0; i < 64 * 64; ++i) {
-    CHECK_EQ(picture[0][i], picture[1][i]);
-  }
+  CHECK(picture[0] == picture[1]);
 }
 
 TEST(soft_bodies_keep_their_ink_on_the_floor) {

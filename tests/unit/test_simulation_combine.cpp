@@ -63,10 +63,6 @@ bool holds(Combine how, bool a, bool b) {
                                     : a || b;
 }
 
-double magnitude(double value) {
-  return value < 0 ? -value : value;
-}
-
 // What is covered of a pixel. [1/255]
 double exact(
     Combine how, const Strip& a, const Strip& b, int32_t x, int32_t y) {

@@ -98,8 +98,8 @@ Status draw_parts_and_print(const Sink& sink) {
   draw_combined(parts, kFilterMotion, sink);  // for each strip
   dirty.add(combined_box(parts, kFilterMotion), screen);
   CHECK_EQ(dirty.rects().size, 1u);
-  CHECK(ink > 0);
-  ink = 0;
+  CHECK(ink.sum > 0);
+  ink = Ink();
   PrintLook look;
   look.style = PrintStyle::engraving;  // rings, hatching, halftone, relief
   look.light = from_degrees(135);
@@ -168,30 +168,30 @@ TEST(shapes_melt) {
   for (int32_t frame = 0; frame < 112; ++frame) {
     const Sink sink = counting_sink();
     CHECK_OK(melt_and_freeze(frame, sink));
-    CHECK(ink > 255 * 40);
+    CHECK(ink.sum > 255 * 40);
   }
 }
 
 TEST(particles_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_particles(sink));
-  CHECK(ink > 255 * 50);
+  CHECK(ink.sum > 255 * 50);
 }
 
 TEST(parts_and_prints_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_parts_and_print(sink));
-  CHECK(ink > 0);
+  CHECK(ink.sum > 0);
 }
 
 TEST(bodies_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_bodies(sink));
-  CHECK(ink > 255 * 50);
+  CHECK(ink.sum > 255 * 50);
 }
 
 TEST(level_sets_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_level_set(sink));
-  CHECK(ink > 255 * 100);
+  CHECK(ink.sum > 255 * 100);
 }

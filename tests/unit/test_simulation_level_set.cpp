@@ -6,7 +6,7 @@
 #include "inkcell/simulation/advect.hpp"
 #include "inkcell/simulation/melt.hpp"
 #include "inkcell/simulation/redistance.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -15,35 +15,22 @@ namespace {
 using namespace inkcell;
 using namespace inkcell::motion;
 using namespace inkcell::simulation;
+using outline_record::sample_font;
 
 constexpr int32_t kSide = 96;
 constexpr int32_t kOne = 1 << 16;
 constexpr uint16_t kDiscGlyph = 1;
 constexpr uint16_t kEllGlyph = 3;
 
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
 int8_t first[kSide * kSide];
 int8_t second[kSide * kSide];
 int8_t original[kSide * kSide];
 GridHistogram scratch;
 
-const Font& sample_font() {
-  static Font font;
-  if (font.glyph_count() == 0) {
-    const size_t size = outline_record::build_sample_font(font_bytes);
-    CHECK_OK(Font::open({font_bytes, size}, font));
-  }
-  return font;
-}
-
 void paint(uint16_t glyph, DistanceGrid& grid) {
   grid.clear();
   CHECK_OK(grid.paint(sample_font(), glyph, Q26_6::from_int(72),
                       {Q26_6::from_int(20), Q26_6::from_int(76)}));
-}
-
-int32_t magnitude(int32_t value) {
-  return value < 0 ? -value : value;
 }
 
 // Difference of coverage, where a sample covers its square by a ramp.

@@ -4,7 +4,8 @@
 #include "inkcell/simulation/dots.hpp"
 #include "inkcell/simulation/particle_homes.hpp"
 #include "inkcell/simulation/particles.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 using namespace inkcell;
 using namespace inkcell::motion;
 using namespace inkcell::simulation;
+using outline_record::sample_font;
 
 constexpr int32_t kSide = 64;  // of the scene [px]
 constexpr Rect kScreen = {0, 0, kSide, kSide};
@@ -22,21 +24,11 @@ constexpr uint16_t kBarGlyph = 2;
 constexpr uint16_t kEllGlyph = 3;
 constexpr size_t kCount = 40;
 
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
 int8_t samples[kSide * kSide];
 Particle particles[kCount];
 ParticleHome homes[kCount];
-uint8_t picture[kSide * kSide];
-uint8_t second[kSide * kSide];
-
-const Font& sample_font() {
-  static Font font;
-  if (font.glyph_count() == 0) {
-    const size_t size = outline_record::build_sample_font(font_bytes);
-    CHECK_OK(Font::open({font_bytes, size}, font));
-  }
-  return font;
-}
+Picture<kSide, kSide> picture;
+Picture<kSide, kSide> second;
 
 DistanceGrid grid_of(uint16_t glyph, int32_t size, int32_t scale_log2) {
   const int32_t side = DistanceGrid::samples_of(kSide, scale_log2);
@@ -70,32 +62,6 @@ int64_t energy() {
     sum += p.x_speed_q10 * p.x_speed_q10 + p.y_speed_q10 * p.y_speed_q10;
   }
   return sum;
-}
-
-struct Canvas {
-  uint8_t* pixels;
-  Rect window;
-
-  Sink sink() { return {window, this, coverage, nullptr}; }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    const Canvas& canvas = *static_cast<Canvas*>(context);
-    const Rect& w = canvas.window;
-    CHECK(count >= 1 && count <= kMaxSpan);
-    CHECK(x >= w.x0 && x + count <= w.x1 && y >= w.y0 && y < w.y1);
-    for (int32_t i = 0; i < count; ++i) {
-      canvas.pixels[y * kSide + x + i] = values[i];
-    }
-  }
-};
-
-void clear(uint8_t (&pixels)[kSide * kSide]) {
-  for (uint8_t& pixel : pixels) {
-    pixel = 0;
-  }
 }
 
 }  // namespace
@@ -267,34 +233,20 @@ TEST(dots_are_as_large_as_told) {
   const int32_t kRadii[] = {48, 64, 128, 320, 512};
   for (const int32_t radius : kRadii) {
     for (int32_t phase = 0; phase < 64; phase += 13) {
-      clear(picture);
-      Canvas canvas = {picture, kScreen};
-      draw_dot(Q16_16::from_raw(30 * kOne + phase * 1024),
-               Q16_16::from_raw(31 * kOne - phase * 500),
-               Q26_6::from_raw(radius), canvas.sink());
-      int32_t ink = 0;
-      for (const uint8_t pixel : picture) {
-        ink += pixel;
-      }
+      const auto draw = [&](const Sink& sink) {
+        draw_dot(Q16_16::from_raw(30 * kOne + phase * 1024),
+                 Q16_16::from_raw(31 * kOne - phase * 500),
+                 Q26_6::from_raw(radius), sink);
+      };
+      picture.clear();
+      draw(picture.sink());
+      const int32_t ink = picture.ink();
       // pi r^2, [px, 255ths]
       const int32_t area = 801 * radius / 64 * radius / 64;
       CHECK(ink > area * 90 / 100 && ink < area * 110 / 100);
-      clear(second);
-      for (int32_t y = 0; y < kSide; y += 3) {
-        Canvas left = {second, {0, y, 30, y + 3 < kSide ? y + 3 : kSide}};
-        Canvas right = left;
-        right.window.x0 = 30;
-        right.window.x1 = kSide;
-        draw_dot(Q16_16::from_raw(30 * kOne + phase * 1024),
-                 Q16_16::from_raw(31 * kOne - phase * 500),
-                 Q26_6::from_raw(radius), left.sink());
-        draw_dot(Q16_16::from_raw(30 * kOne + phase * 1024),
-                 Q16_16::from_raw(31 * kOne - phase * 500),
-                 Q26_6::from_raw(radius), right.sink());
-      }
-      for (int32_t i = 0; i < kSide * kSide; ++i) {
-        CHECK_EQ(picture[i], second[i]);
-      }
+      second.clear();
+      second.draw_parts(3, 30, draw);
+      CHECK(picture == second);
     }
   }
 }
@@ -315,10 +267,10 @@ TEST(hostile_particles_do_no_harm) {
       particles[i].y_speed_q10 = static_cast<int16_t>(random.next());
       homes[i].x_q4 = static_cast<int16_t>(random.next());
       homes[i].y_q4 = static_cast<int16_t>(random.next());
-      Canvas canvas = {picture, kScreen};
+      picture.next_glyph();
       draw_dot(particles[i].x, particles[i].y,
                Q26_6::from_raw(static_cast<int32_t>(random.next())),
-               canvas.sink());
+               picture.sink());
     }
     ParticleRules rules;
     rules.walls = {random.between(-99, 99), random.between(-99, 99),

@@ -11,6 +11,7 @@
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/stroke.hpp"
 #include "outline_record.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "stored_disk.hpp"
 
@@ -30,67 +31,13 @@ StoredFont open_disk(Disk& disk, size_t blocks) {
   return stored;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int32_t kWidth = 96;
 constexpr int32_t kHeight = 40;
 
-// Coverage, and a hash of all that was drawn.
-struct Picture {
-  uint8_t pixels[kWidth * kHeight] = {};
-
-  static void put(void* context,
-                  int32_t x,
-                  int32_t y,
-                  const uint8_t* coverage,
-                  int32_t count) {
-    auto* const to = static_cast<Picture*>(context)->pixels + y * kWidth + x;
-    for (int32_t i = 0; i < count; ++i) {
-      to[i] = coverage[i] > to[i] ? coverage[i] : to[i];
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    auto* const to = static_cast<Picture*>(context)->pixels + y * kWidth + x;
-    for (int32_t i = 0; i < count; ++i) {
-      to[i] = 255;
-    }
-  }
-  Sink sink() {
-    Sink sink;
-    sink.context = this;
-    sink.window = {0, 0, kWidth, kHeight};
-    sink.coverage = put;
-    sink.solid = solid;
-    return sink;
-  }
-  bool operator==(const Picture& other) const {
-    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-      if (pixels[i] != other.pixels[i]) {
-        return false;
-      }
-    }
-    return true;
-  }
-  bool has_ink() const {
-    for (const uint8_t pixel : pixels) {
-      if (pixel != 0) {
-        return true;
-      }
-    }
-    return false;
-  }
-  // Pictures are larger than the stack of boards.
-  void clear() {
-    for (uint8_t& pixel : pixels) {
-      pixel = 0;
-    }
-  }
-};
-
-Picture picture_a;
-Picture picture_b;
+// Pictures are larger than the stack of boards.
+using Page = Picture<kWidth, kHeight, Overlap::greatest>;
+Page picture_a;
+Page picture_b;
 
 constexpr bool kBoth[] = {false, true};
 constexpr int32_t kSizes[] = {9, 14, 24};
@@ -101,10 +48,9 @@ constexpr Point kPen = {Q26_6::from_int(3), Q26_6::from_int(30)};
 void draw_glyph(const Font& font,
                 const Style& style,
                 uint16_t glyph,
-                Picture& out) {
+                Page& out) {
   out.clear();
-  const Sink sink = out.sink();
-  Painter(sink).glyph(font, style, kPen, glyph);
+  Painter(out.sink()).glyph(font, style, kPen, glyph);
 }
 
 // U+4E00 + n, as three bytes.
@@ -163,7 +109,7 @@ void compare(const Font& mapped,
     CHECK_OK(stored.glyph_of(kFirst + n, to));
     draw_glyph(mapped, mapped_style, from, picture_a);
     draw_glyph(stored, stored_style, to, picture_b);
-    CHECK(picture_a.has_ink());
+    CHECK(picture_a.ink() != 0);
     CHECK(picture_a == picture_b);
     const Rect a = Painter().glyph_box(mapped, mapped_style, kPen, from);
     const Rect b = Painter().glyph_box(stored, stored_style, kPen, to);
@@ -190,7 +136,7 @@ TEST(a_glyph_takes_three_reads_and_one_block) {
     CHECK_EQ(metrics.y_max, static_cast<int32_t>(500 + n % 13 * 20));
     CHECK_EQ(font.advance(glyph), int32_t{kAdvance});
     draw_glyph(font, style, glyph, picture_a);
-    CHECK(picture_a.has_ink());
+    CHECK(picture_a.ink() != 0);
     most = disk.reads - before > most ? disk.reads - before : most;
   }
   CHECK_EQ(most, 3u);
@@ -282,7 +228,7 @@ TEST(caches_layouts_and_fallbacks_take_stored_fonts) {
     for (const bool is_fallback : kBoth) {
       const Font none;
       for (int which = 0; which < 2; ++which) {
-        Picture& picture = which == 0 ? picture_a : picture_b;
+        Page& picture = which == 0 ? picture_a : picture_b;
         picture.clear();
         const Sink sink = picture.sink();
         const Font& font = which == 0 ? mapped : copy;
@@ -308,7 +254,7 @@ TEST(caches_layouts_and_fallbacks_take_stored_fonts) {
           CHECK(cache.stats().misses != 0);
         }
       }
-      CHECK(picture_a.has_ink());
+      CHECK(picture_a.ink() != 0);
       CHECK(picture_a == picture_b);
     }
   }
@@ -440,7 +386,7 @@ TEST(reads_that_fail_give_notdef) {
       CHECK_EQ(stored.status(), Status::read_failed);
       CHECK(stored.stats().failures != 0);
       draw_glyph(font, style, 0, picture_b);
-      CHECK(picture_a.has_ink());
+      CHECK(picture_a.ink() != 0);
       CHECK(picture_a == picture_b);
       CHECK_EQ(font.advance(glyph), 600);
       uint16_t found = 1;
@@ -483,7 +429,7 @@ TEST(bytes_that_change_are_safe) {
           static_cast<uint16_t>(kSlots + random.below(Disk::kKerning)),
           static_cast<uint16_t>(kSlots + random.below(Disk::kKerning))));
       draw_glyph(font, style, glyph, picture_a);
-      drawn += picture_a.has_ink() ? 1u : 0u;
+      drawn += picture_a.ink() != 0 ? 1u : 0u;
     }
   }
   CHECK(drawn > 100);

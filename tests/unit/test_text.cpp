@@ -4,22 +4,16 @@
 #include "inkcell/painter.hpp"
 
 #include "check.hpp"
-#include "font_builder.hpp"
+#include "ink.hpp"
 #include "picture.hpp"
 #include "random.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
 using namespace inkcell;
-
-alignas(4) uint8_t rom[font_builder::kSampleFontBytes];
-
-Font sample() {
-  Font font;
-  const size_t size = font_builder::build_sample_font(rom);
-  CHECK_OK(open_any_font({rom, size}, font));
-  return font;
-}
+using sample_rom::rom;
+using sample_rom::sample;
 
 // Whether `bytes` read as `expected`, a list closed by kEnd.
 constexpr uint32_t kEnd = 0xffffffff;
@@ -89,47 +83,6 @@ size_t encode(uint32_t code_point, char* out) {
 Style style_of(int32_t px) {
   Style style(Q26_6::from_int(px), kFilterText);
   return style;
-}
-
-Point at(int32_t x, int32_t y) {
-  return {Q26_6::from_int(x), Q26_6::from_int(y)};
-}
-
-// Counts pixels and remembers where they are; glyphs may overlap.
-struct Ink {
-  int64_t sum = 0;
-  Rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-
-  void put(int32_t x, int32_t y, int32_t count) {
-    box.x0 = x < box.x0 ? x : box.x0;
-    box.y0 = y < box.y0 ? y : box.y0;
-    box.x1 = x + count > box.x1 ? x + count : box.x1;
-    box.y1 = y + 1 > box.y1 ? y + 1 : box.y1;
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    auto& ink = *static_cast<Ink*>(context);
-    ink.put(x, y, count);
-    for (int32_t i = 0; i < count; ++i) {
-      ink.sum += coverage[i];
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    auto& ink = *static_cast<Ink*>(context);
-    ink.put(x, y, count);
-    ink.sum += int64_t{255} * count;
-  }
-  Sink sink() {
-    return {{-32767, -32767, 32767, 32767}, this, coverage, solid};
-  }
-};
-
-bool same(const Ink& a, const Ink& b) {
-  return a.sum == b.sum && a.box.x0 == b.box.x0 && a.box.y0 == b.box.y0 &&
-         a.box.x1 == b.box.x1 && a.box.y1 == b.box.y1;
 }
 
 }  // namespace
@@ -453,10 +406,10 @@ TEST(a_run_is_its_glyphs) {
   Span<const PositionedGlyph> run;
   CHECK_OK(Painter().lay_out(font, Style(), "AB C", buffer, run));
   Ink whole;
-  Painter(whole.sink()).glyphs(font, style, at(3, 40), run);
+  Painter(whole.sink()).glyphs(font, style, {3, 40}, run);
   Ink streamed;
-  Painter(streamed.sink()).text(font, style, at(3, 40), "AB C");
-  CHECK(same(whole, streamed));
+  Painter(streamed.sink()).text(font, style, {3, 40}, "AB C");
+  CHECK(whole == streamed);
   Ink single;
   for (const PositionedGlyph& glyph : run) {
     GlyphField field;
@@ -466,13 +419,13 @@ TEST(a_run_is_its_glyphs) {
                            40 * 1024);
     draw_field(field, style, origin, single.sink());
   }
-  CHECK(same(whole, single));
+  CHECK(whole == single);
   Ink alone;
-  Painter(alone.sink()).glyph(font, style, at(3, 40), 2);
+  Painter(alone.sink()).glyph(font, style, {3, 40}, 2);
   Ink first;
-  Painter(first.sink()).glyphs(font, style, at(3, 40), {buffer, 1});
+  Painter(first.sink()).glyphs(font, style, {3, 40}, {buffer, 1});
   CHECK(alone.sum > 0);
-  CHECK(same(alone, first));
+  CHECK(alone == first);
 }
 
 TEST(positions_in_a_run_go_up) {
@@ -483,10 +436,10 @@ TEST(positions_in_a_run_go_up) {
   glyph.x = 1000;
   glyph.y = 500;
   Ink raised;
-  Painter(raised.sink()).glyphs(font, style, at(0, 20), {&glyph, 1});
+  Painter(raised.sink()).glyphs(font, style, {0, 20}, {&glyph, 1});
   Ink plain;
-  Painter(plain.sink()).glyph(font, style, at(10, 15), 2);
-  CHECK(same(raised, plain));
+  Painter(plain.sink()).glyph(font, style, {10, 15}, 2);
+  CHECK(raised == plain);
 }
 
 TEST(turned_runs_follow_their_direction) {
@@ -499,22 +452,22 @@ TEST(turned_runs_follow_their_direction) {
   glyph.glyph = 2;
   glyph.x = 1000;
   Ink moved;
-  Painter(moved.sink()).glyphs(font, style, at(50, 50), {&glyph, 1});
+  Painter(moved.sink()).glyphs(font, style, {50, 50}, {&glyph, 1});
   Ink plain;
-  Painter(plain.sink()).glyph(font, style, at(50, 30), 2);
+  Painter(plain.sink()).glyph(font, style, {50, 30}, 2);
   CHECK(plain.sum > 0);
-  CHECK(same(moved, plain));
+  CHECK(moved == plain);
 }
 
 TEST(absent_glyphs_are_left_out) {
   const Font font = sample();
   const Style style = style_of(20);
   Ink ink;
-  Painter(ink.sink()).glyph(font, style, at(0, 0), 1);
-  Painter(ink.sink()).glyph(font, style, at(0, 0), 5);
-  Painter(ink.sink()).glyph(font, style, at(0, 0), 65535);
-  Painter(ink.sink()).text(Font{}, style, at(0, 0), "AB");
-  Painter(ink.sink()).text(font, style, at(0, 0), "");
+  Painter(ink.sink()).glyph(font, style, {0, 0}, 1);
+  Painter(ink.sink()).glyph(font, style, {0, 0}, 5);
+  Painter(ink.sink()).glyph(font, style, {0, 0}, 65535);
+  Painter(ink.sink()).text(Font{}, style, {0, 0}, "AB");
+  Painter(ink.sink()).text(font, style, {0, 0}, "");
   CHECK_EQ(ink.sum, 0);
 }
 
@@ -523,7 +476,7 @@ TEST(draws_text_as_expected) {
   const Style style = style_of(12);
   Picture<24, 10> picture;
   picture.next_glyph();
-  Painter(picture.sink()).text(font, style, at(1, 9), "AB");
+  Painter(picture.sink()).text(font, style, {1, 9}, "AB");
   CHECK_PICTURE(picture,
                 ".....:..................\n"
                 "...+*#*+...:++:.........\n"
@@ -540,15 +493,14 @@ TEST(draws_text_as_expected) {
 TEST(positions_do_not_wrap) {
   const Font font = sample();
   const Style style = style_of(1000);  // a unit is a px
-  const Point origin = at(-355, 395);
+  const Point origin = {-355, 395};
   PositionedGlyph glyph;
   glyph.glyph = 2;
   constexpr int32_t kPlaces[] = {0, 1 << 22, -(1 << 22)};
   for (const int32_t x : kPlaces) {
     glyph.x = x;
     Ink ink;
-    Sink sink = ink.sink();
-    sink.window = {0, 0, 40, 40};
+    const Sink sink = ink.sink({0, 0, 40, 40});
     Painter(sink).glyphs(font, style, origin, {&glyph, 1});
     CHECK_EQ(ink.sum > 0, x == 0);
     ink.sum = 0;

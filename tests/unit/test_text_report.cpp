@@ -2,22 +2,14 @@
 #include "inkcell/text_report.hpp"
 
 #include "check.hpp"
-#include "font_builder.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/painter.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
 using namespace inkcell;
-
-alignas(4) uint8_t rom[font_builder::kSampleFontBytes];
-
-Font sample() {
-  Font font;
-  const size_t size = font_builder::build_sample_font(rom);
-  CHECK_OK(open_any_font({rom, size}, font));
-  return font;
-}
+using sample_rom::sample;
 
 constexpr Style kStyle = Style(20_px, kFilterText);
 
@@ -29,7 +21,7 @@ uint32_t without_accents(uint32_t code_point) noexcept {
 TextReport show(const Font& font, const Style& style, Point pen, Text words) {
   const Sink canvas;
   TextReport report;
-  report.instead = '?';  // or TextReport::kNothing
+  report.instead = '?';                 // or TextReport::kNothing
   report.substitute = without_accents;  // yours: a code point for another
   const Painter painter(canvas, {}, nullptr, &report);
   painter.text(font, style, pen, words);

@@ -11,24 +11,15 @@
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/strip_loop.hpp"
 #include "inkcell/stroke.hpp"
-#include "outline_record.hpp"
+#include "outline_font.hpp"
 
 namespace {
 
 using namespace inkcell;
+using outline_record::sample_font;
 
 constexpr int32_t kWidth = 120;
 constexpr int32_t kHeight = 50;
-alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
-
-Font sample_font() {
-  Font font;
-  const size_t size =
-      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
-  CHECK_OK(Font::open({font_bytes, size}, font));
-  return font;
-}
-
 uint8_t screens[2][kHeight][kWidth];
 uint8_t buffer[8 * kWidth];
 
@@ -159,8 +150,9 @@ TEST(a_number_and_its_unit_are_one_value) {
       {900, {outline_record::kBar, 4}},    // :
       {768, {outline_record::kDisc, 13}},  // ;
   };
-  const size_t size = outline_record::build_outline_font(
-      {glyphs, 4}, 0, kNine, {font_bytes, sizeof(font_bytes)});
+  alignas(4) static uint8_t font_bytes[512];
+  const size_t size =
+      outline_record::build_outline_font({glyphs, 4}, 0, kNine, font_bytes);
   Font font;
   CHECK_OK(Font::open({font_bytes, size}, font));
   const Style style(16_px);

@@ -4,22 +4,11 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/font.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
-using namespace inkcell;
-using namespace font_builder;
-namespace section = format::section;
-
-alignas(4) uint8_t rom[kSampleFontBytes];
-size_t rom_bytes = 0;
-
-Font sample() {
-  Font font;
-  rom_bytes = build_sample_font(rom);
-  CHECK_OK(open_any_font({rom, rom_bytes}, font));
-  return font;
-}
+using namespace sample_rom;
 
 uint8_t* bytes_of(const Font& font, uint32_t tag) {
   return rom + (font.section(tag).data - rom);
@@ -27,14 +16,6 @@ uint8_t* bytes_of(const Font& font, uint32_t tag) {
 
 uint8_t* record_of(const Font& font, uint16_t glyph) {
   return rom + (font.record(glyph).data - rom);
-}
-
-// What verify says of the changed font; its checksums are made right first.
-Status verify_changed() {
-  CHECK(repair_checksums({rom, rom_bytes}));
-  Font font;
-  CHECK_OK(open_any_font({rom, rom_bytes}, font));
-  return font.has_outlines() ? font.verify() : verify_fields(font);
 }
 
 // A reference of glyph 2: tile or child `index`.
