@@ -4,6 +4,7 @@
 #include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -20,32 +21,14 @@ constexpr int32_t kWorstWide = 8;
 constexpr int32_t kSide = 28;
 constexpr int32_t kCorners = 7;
 
-struct Place {
-  double x;
-  double y;
-};
+using outline_truth::Place;
 
 alignas(4) uint8_t rom[768];
-uint8_t picture[kSide][kSide];
+Picture<kSide, kSide> picture;
 OutlinePoint points[kCorners];
 Place corners[kCorners];  // on the screen
 OutlinePoint rounded[3 * kCorners];
 outline_truth::Truth truth;
-
-void put(void* /*context*/,
-         int32_t x,
-         int32_t y,
-         const uint8_t* coverage,
-         int32_t count) {
-  for (int32_t i = 0; i < count; ++i) {
-    picture[y][x + i] = coverage[i];
-  }
-}
-void fill(void* /*context*/, int32_t x, int32_t y, int32_t count) {
-  for (int32_t i = 0; i < count; ++i) {
-    picture[y][x + i] = 255;
-  }
-}
 
 // A star of seven corners about the middle of the em, none of them sharp.
 void make_star(Random& random) {
@@ -77,12 +60,8 @@ void draw_outline(Span<const OutlinePoint> outline,
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
   Style style(Q26_6::from_raw(at.size), filter);
-  for (auto& row : picture) {
-    for (uint8_t& pixel : row) {
-      pixel = 0;
-    }
-  }
-  Painter({{0, 0, kSide, kSide}, nullptr, put, fill})
+  picture.clear();
+  Painter(picture.sink())
       .glyph(font, style, {Q26_6::from_raw(at.x), Q26_6::from_raw(at.y)}, 1);
 }
 
@@ -141,56 +120,44 @@ double area_of(int32_t x, int32_t y) {
   return area < 0 ? -area : area;
 }
 
-double root_of(double value) {
-  double root = value > 1 ? value : 1;
-  for (int32_t i = 0; i < 40; ++i) {
-    root = (root + value / root) / 2;
-  }
-  return root;
-}
-
-// Signed, from the middle of a pixel. [px]
-double distance_of(int32_t x, int32_t y) {
-  const Place p = {x + 0.5, y + 0.5};
-  double least = 1e9;
-  bool is_inside = false;
-  for (int32_t i = 0; i < kCorners; ++i) {
-    const Place& a = corners[i];
-    const Place& b = corners[(i + 1) % kCorners];
-    const Place way = {b.x - a.x, b.y - a.y};
-    const double t = clamped(((p.x - a.x) * way.x + (p.y - a.y) * way.y) /
-                                 (way.x * way.x + way.y * way.y),
-                             0, 1);
-    const Place off = {p.x - a.x - t * way.x, p.y - a.y - t * way.y};
-    const double square = off.x * off.x + off.y * off.y;
-    least = square < least ? square : least;
-    if ((a.y > p.y) != (b.y > p.y) &&
-        p.x < a.x + (p.y - a.y) / (b.y - a.y) * way.x) {
-      is_inside = !is_inside;
-    }
-  }
-  return is_inside ? root_of(least) : -root_of(least);
-}
-
-int32_t error_of(int32_t x, int32_t y, double coverage) {
-  const double error = picture[y][x] - 255 * coverage;
-  return static_cast<int32_t>((error < 0 ? -error : error) + 0.5);
-}
-
-// The worst pixel of an outline with curves.
-int32_t worst_of(Span<const OutlinePoint> outline, const Setting& at) {
-  draw_outline(outline, kFilterText, at);
-  truth.set(outline, at.size / 65536.0, at.x / 64.0, at.y / 64.0);
+// The worst pixel of the picture, beside the coverage that it should have, 0 to
+// 1.
+template <typename Coverage>
+int32_t worst_of(const Coverage& coverage) {
   int32_t worst = 0;
   for (int32_t y = 0; y < kSide; ++y) {
     for (int32_t x = 0; x < kSide; ++x) {
-      const double distance = truth.distance(x + 0.5, y + 0.5);
-      const int32_t error = error_of(x, y, clamped(0.5 + distance, 0, 1));
-      worst = error > worst ? error : worst;
+      const double error = picture.at(x, y) - 255 * coverage(x, y);
+      const auto rounded_error = static_cast<int32_t>(magnitude(error) + 0.5);
+      worst = rounded_error > worst ? rounded_error : worst;
     }
   }
   return worst;
 }
+
+// The worst pixel by distance.
+int32_t worst_distance(Span<const OutlinePoint> outline, const Setting& at) {
+  draw_outline(outline, kFilterText, at);
+  truth.set(outline, at.size / 65536.0, at.x / 64.0, at.y / 64.0);
+  return worst_of([](int32_t x, int32_t y) {
+    return clamped(0.5 + truth.distance(x + 0.5, y + 0.5), 0, 1);
+  });
+}
+
+// Prints the worst pixel of several pictures, which must not be above `limit`.
+struct Worst {
+  const char* name;
+  int32_t limit;
+  int32_t error = 0;
+
+  void add(int32_t each) { error = each > error ? each : error; }
+  ~Worst() {
+    CHECK(error <= limit);
+    check::write(name);
+    check::write_number(error);
+    check::write("/255\n");
+  }
+};
 
 // From a corner on the way to another one, `step` grid units along.
 OutlinePoint beside(const OutlinePoint& from,
@@ -198,7 +165,7 @@ OutlinePoint beside(const OutlinePoint& from,
                     int32_t step) {
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
-  const double share = step / root_of(dx * dx + dy * dy);
+  const double share = step / outline_truth::root(dx * dx + dy * dy);
   return {outline_record::smooth,
           static_cast<int16_t>(from.x + static_cast<int32_t>(dx * share)),
           static_cast<int16_t>(from.y + static_cast<int32_t>(dy * share))};
@@ -246,86 +213,50 @@ constexpr int32_t kStars = INKCELL_BOARD_FIRMWARE ? 3 : 400;
 }  // namespace
 
 TEST(areas_are_exact) {
-  int32_t worst = 0;
+  Worst worst = {"worst area: ", kWorstArea};
   for (Rounds rounds(9, kStars); rounds.next();) {
-    Random& random = rounds.random;
-    make_star(random);
-    draw(kFilterArea, random);
-    for (int32_t y = 0; y < kSide; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        const int32_t error = error_of(x, y, area_of(x, y));
-        worst = error > worst ? error : worst;
-      }
-    }
+    make_star(rounds.random);
+    draw(kFilterArea, rounds.random);
+    worst.add(worst_of(area_of));
   }
-  CHECK(worst <= kWorstArea);
-  check::write("worst area: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
 
 TEST(distances_are_those_of_the_nearest_edge) {
-  int32_t worst = 0;
+  Worst worst = {"worst distance: ", kWorstDistance};
   for (Rounds rounds(10, kStars); rounds.next();) {
-    Random& random = rounds.random;
-    make_star(random);
-    draw(kFilterText, random);
-    for (int32_t y = 0; y < kSide; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        const double coverage = clamped(0.5 + distance_of(x, y), 0, 1);
-        const int32_t error = error_of(x, y, coverage);
-        worst = error > worst ? error : worst;
-      }
-    }
+    make_star(rounds.random);
+    worst.add(
+        worst_distance({points, kCorners}, random_setting(rounds.random)));
   }
-  CHECK(worst <= kWorstDistance);
-  check::write("worst distance: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
 
 // Letters like V in a large size: long edges that meet at acute corners, seen
 // by a ramp that is wider than a pixel.
 TEST(wide_ramps_are_true_at_acute_corners) {
-  int32_t worst = 0;
+  Worst worst = {"worst wide ramp: ", kWorstWide};
   for (Rounds rounds(11, kStars); rounds.next();) {
     Random& random = rounds.random;
     make_letter(random);
     const Setting at = setting_of(random.between(30 * 64, 64 * 64), random);
     draw_outline(letter, kFilterPaperBody, at);
     truth.set(letter, at.size / 65536.0, at.x / 64.0, at.y / 64.0);
-    for (int32_t y = 0; y < kSide; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        const double q10 = 1024 * truth.distance(x + 0.5, y + 0.5);
-        const int32_t error =
-            error_of(x, y,
-                     kFilterPaperBody.coverage(
-                         static_cast<int32_t>(clamped(q10, -4096, 4096))) /
-                         255.0);
-        worst = error > worst ? error : worst;
-      }
-    }
+    worst.add(worst_of([](int32_t x, int32_t y) {
+      const double q10 = 1024 * truth.distance(x + 0.5, y + 0.5);
+      return kFilterPaperBody.coverage(
+                 static_cast<int32_t>(clamped(q10, -4096, 4096))) /
+             255.0;
+    }));
   }
-  CHECK(worst <= kWorstWide);
-  check::write("worst wide ramp: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
 
 TEST(rounded_corners_are_as_near_as_they_are) {
-  int32_t worst = 0;
+  Worst worst = {"worst of rounded corners: ", kWorstDistance};
   for (Rounds rounds(11, kStars); rounds.next();) {
-    Random& random = rounds.random;
-    make_star(random);
-    round_corners(random);
-    const int32_t error =
-        worst_of({rounded, 3 * kCorners}, random_setting(random));
-    worst = error > worst ? error : worst;
+    make_star(rounds.random);
+    round_corners(rounds.random);
+    worst.add(
+        worst_distance({rounded, 3 * kCorners}, random_setting(rounds.random)));
   }
-  CHECK(worst <= kWorstDistance);
-  check::write("worst of rounded corners: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
 
 // Two hairlines of a W: after a corner a curve of half a pixel ends in a line,
@@ -339,18 +270,13 @@ TEST(hairlines_that_meet_on_a_row) {
       {outline_record::corner, 1345, -3988},
       {outline_record::corner, -1469, -3988},
   };
-  int32_t worst = 0;
+  Worst worst = {"worst of hairlines: ", kWorstDistance};
   for (int32_t x = 0; x < 64; x += INKCELL_BOARD_FIRMWARE ? 16 : 1) {
     for (int32_t y = 28; y <= 36; y += 4) {
-      const Setting at = {4 * 64, 10 * 64 + x, 4 * 64 + y};
-      const int32_t error = worst_of({kHairlines, 6}, at);
-      worst = error > worst ? error : worst;
+      worst.add(
+          worst_distance({kHairlines, 6}, {4 * 64, 10 * 64 + x, 4 * 64 + y}));
     }
   }
-  CHECK(worst <= kWorstDistance);
-  check::write("worst of hairlines: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
 
 // The point of a brace: a curve that turns back within half a pixel. At 4 px
@@ -363,16 +289,10 @@ TEST(a_point_that_turns_within_a_pixel) {
       {outline_record::corner, -1422, -156},
       {outline_record::corner, -1422, 499},
   };
-  int32_t worst = 0;
+  Worst worst = {"worst of a point: ", kWorstDistance};
   for (int32_t x = 0; x < 64; x += INKCELL_BOARD_FIRMWARE ? 16 : 2) {
     for (int32_t y = 0; y < 64; y += INKCELL_BOARD_FIRMWARE ? 16 : 2) {
-      const Setting at = {4 * 64, 10 * 64 + x, 4 * 64 + y};
-      const int32_t error = worst_of({kPoint, 5}, at);
-      worst = error > worst ? error : worst;
+      worst.add(worst_distance({kPoint, 5}, {4 * 64, 10 * 64 + x, 4 * 64 + y}));
     }
   }
-  CHECK(worst <= kWorstDistance);
-  check::write("worst of a point: ");
-  check::write_number(worst);
-  check::write("/255\n");
 }
