@@ -219,6 +219,21 @@ void check_shown(const DcsModel& model,
 
 inline constexpr auto kAll = [](int32_t, int32_t) { return true; };
 
+template <typename Display>
+Display make_display(DcsModel& model,
+                     uint16_t width,
+                     uint16_t height,
+                     uint16_t column = 0,
+                     uint16_t row = 0) {
+  Display display;
+  display.bus = model.bus();
+  display.width = width;
+  display.height = height;
+  display.first_column = column;
+  display.first_row = row;
+  return display;
+}
+
 inline Rgb565Canvas make_canvas() {
   Strip strip;
   strip.order = ByteOrder::high_first;

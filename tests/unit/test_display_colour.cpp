@@ -45,12 +45,7 @@ TEST(st7735_shows_text_at_offsets) {
   for (const Rotation rotation : kRotations) {
     for (const bool mirrored : kBoth) {
       DcsModel model(132, 162);
-      St7735 display;
-      display.bus = model.bus();
-      display.width = 80;
-      display.height = 160;
-      display.first_column = 24;
-      display.first_row = 1;
+      auto display = make_display<St7735>(model, 80, 160, 24, 1);
       display.rotation = rotation;
       display.mirror_columns = mirrored;
       display.blue_first = mirrored;
@@ -62,10 +57,7 @@ TEST(st7735_shows_text_at_offsets) {
 
 TEST(st7735_has_a_small_memory_by_pins) {
   DcsModel model(128, 160);
-  St7735 display;
-  display.bus = model.bus();
-  display.width = 128;
-  display.height = 160;
+  auto display = make_display<St7735>(model, 128, 160);
   display.rotation = Rotation::half;
   display.gm_011 = true;
   check_page(model, display, 160, 0);
@@ -74,12 +66,7 @@ TEST(st7735_has_a_small_memory_by_pins) {
 TEST(st7789_shows_text_at_offsets) {
   for (const Rotation rotation : kRotations) {
     DcsModel model(240, 320);
-    St7789 display;
-    display.bus = model.bus();
-    display.width = 135;
-    display.height = 240;
-    display.first_column = 52;
-    display.first_row = 40;
+    auto display = make_display<St7789>(model, 135, 240, 52, 40);
     display.rotation = rotation;
     check_page(model, display, 64, 0);
   }
@@ -89,10 +76,7 @@ TEST(ili9341_shows_text_mirrored) {
   for (const Rotation rotation : kRotations) {
     for (const bool mirrored : kBoth) {
       DcsModel model(240, 320);
-      Ili9341 display;
-      display.bus = model.bus();
-      display.width = 240;
-      display.height = 320;
+      auto display = make_display<Ili9341>(model, 240, 320);
       display.rotation = rotation;
       display.mirror_columns = true;
       display.mirror_rows = mirrored;
@@ -106,23 +90,14 @@ TEST(strips_of_any_height_show_the_same) {
   constexpr int32_t kHeights[] = {1, 7, 160};
   for (const int32_t rows : kHeights) {
     DcsModel model(132, 162);
-    St7735 display;
-    display.bus = model.bus();
-    display.width = 128;
-    display.height = 160;
-    display.first_column = 2;
-    display.first_row = 1;
-    check_page(model, display, rows, 0);
+    check_page(model, make_display<St7735>(model, 128, 160, 2, 1), rows, 0);
   }
 }
 
 TEST(windows_have_their_own_place) {
   for (const Rotation rotation : kRotations) {
     DcsModel model(240, 320);
-    St7789 display;
-    display.bus = model.bus();
-    display.width = 240;
-    display.height = 240;
+    auto display = make_display<St7789>(model, 240, 240);
     display.rotation = rotation;
     CHECK_OK(init(display));
     const Rect part = {31, 57, 140, 190};
@@ -141,10 +116,7 @@ TEST(setup_is_sent_before_the_controller_wakes) {
   constexpr uint8_t kSetup[] = {0xb1, 2, 0x00, 0x18, 0xfe, 0, 0xf2, 1, 0x00};
   constexpr uint8_t kSent[] = {0xb1, 0x00, 0x18, 0xfe, 0xf2, 0x00};
   DcsModel model(240, 320);
-  Ili9341 display;
-  display.bus = model.bus();
-  display.width = 240;
-  display.height = 320;
+  auto display = make_display<Ili9341>(model, 240, 320);
   display.setup = kSetup;
   CHECK_OK(init(display));
   CHECK_EQ(model.setup_bytes, sizeof kSent);
@@ -163,10 +135,7 @@ TEST(setup_is_sent_before_the_controller_wakes) {
 
 TEST(panels_sleep_and_wake_with_their_picture) {
   DcsModel model(240, 320);
-  St7789 display;
-  display.bus = model.bus();
-  display.width = 240;
-  display.height = 320;
+  auto display = make_display<St7789>(model, 240, 320);
   check_page(model, display, 100, 0);
   const int64_t pixels = model.pixels;
   for (int i = 0; i < 2; ++i) {
@@ -189,9 +158,7 @@ TEST(panels_sleep_and_wake_with_their_picture) {
 }
 
 template <typename Display>
-void check_refused(DcsModel& model, const DcsPanel& panel) {
-  Display display;
-  static_cast<DcsPanel&>(display) = panel;
+void check_refused(DcsModel& model, const Display& display) {
   uint8_t pixels[64] = {};
   model.transfers = model.resets = 0;
   CHECK_EQ(init(display), Status::bad_argument);
@@ -200,33 +167,19 @@ void check_refused(DcsModel& model, const DcsPanel& panel) {
   CHECK_EQ(model.transfers + model.resets, 0);
 }
 
-DcsPanel make_panel(DcsModel& model,
-                    uint16_t width,
-                    uint16_t height,
-                    uint16_t column = 0,
-                    uint16_t row = 0) {
-  DcsPanel panel;
-  panel.bus = model.bus();
-  panel.width = width;
-  panel.height = height;
-  panel.first_column = column;
-  panel.first_row = row;
-  return panel;
-}
-
 TEST(panels_outside_the_memory_are_refused) {
   DcsModel model(240, 320);
-  check_refused<St7735>(model, make_panel(model, 133, 160));
-  check_refused<St7735>(model, make_panel(model, 128, 160, 5));
-  check_refused<St7735>(model, make_panel(model, 128, 160, 0, 3));
-  check_refused<St7789>(model, make_panel(model, 241, 320));
-  check_refused<St7789>(model, make_panel(model, 240, 240, 0, 81));
-  check_refused<Ili9341>(model, make_panel(model, 0, 320));
-  check_refused<Ili9341>(model, make_panel(model, 240, 0));
-  check_refused<Ili9341>(model, make_panel(model, 65535, 65535, 65535, 65535));
-  check_refused<Gc9a01>(model, make_panel(model, 240, 241));
-  Gc9a01 display;
-  static_cast<DcsPanel&>(display) = make_panel(model, 240, 240);
+  check_refused(model, make_display<St7735>(model, 133, 160));
+  check_refused(model, make_display<St7735>(model, 128, 160, 5));
+  check_refused(model, make_display<St7735>(model, 128, 160, 0, 3));
+  check_refused(model, make_display<St7789>(model, 241, 320));
+  check_refused(model, make_display<St7789>(model, 240, 240, 0, 81));
+  check_refused(model, make_display<Ili9341>(model, 0, 320));
+  check_refused(model, make_display<Ili9341>(model, 240, 0));
+  check_refused(model,
+                make_display<Ili9341>(model, 65535, 65535, 65535, 65535));
+  check_refused(model, make_display<Gc9a01>(model, 240, 241));
+  auto display = make_display<Gc9a01>(model, 240, 240);
   display.bus.wait_ms = nullptr;
   CHECK_EQ(init(display), Status::bad_argument);
   CHECK_EQ(model.transfers, 0);
@@ -234,8 +187,7 @@ TEST(panels_outside_the_memory_are_refused) {
 
 TEST(strips_outside_the_screen_are_refused) {
   DcsModel model(240, 320);
-  St7789 display;
-  static_cast<DcsPanel&>(display) = make_panel(model, 100, 40);
+  auto display = make_display<St7789>(model, 100, 40);
   display.rotation = Rotation::quarter;
   uint8_t pixels[128] = {};
   const Strip wrong[] = {{pixels, 37, 0, 4, 4, 8}, {pixels, 0, 97, 4, 4, 8},

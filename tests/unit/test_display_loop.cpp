@@ -94,12 +94,7 @@ TEST(a_loop_without_wait_sent_has_one_buffer) {
 
 TEST(a_part_of_a_turned_colour_panel_is_sent_alone) {
   dcs_model::DcsModel model(240, 320);
-  St7789 display;
-  display.bus = model.bus();
-  display.width = 135;
-  display.height = 240;
-  display.first_column = 52;
-  display.first_row = 40;
+  auto display = dcs_model::make_display<St7789>(model, 135, 240, 52, 40);
   display.rotation = Rotation::quarter;
   CHECK_OK(init(display));
   static uint8_t strip[2 * 240 * 8];

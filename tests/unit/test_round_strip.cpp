@@ -25,10 +25,7 @@ TEST(gc9a01_shows_all_of_its_circle) {
   constexpr int32_t kHeights[] = {1, 10, 64};
   for (const int32_t rows : kHeights) {
     DcsModel model(240, 240);
-    Gc9a01 display;
-    display.bus = model.bus();
-    display.width = 240;
-    display.height = 240;
+    auto display = make_display<Gc9a01>(model, 240, 240);
     display.mirror_columns = true;
     CHECK_OK(init(display));
     Rgb565Canvas canvas = make_canvas();
