@@ -145,6 +145,34 @@ class Picture {
     }
   }
 
+  /// For Sink::block of this picture's sinks.
+  static void block(void* context, const inkcell::CoverageBlock& block) {
+    const inkcell::Rect& part = block.pixels;
+    CHECK_EQ(block.stride % 4, 0);
+    CHECK_EQ((reinterpret_cast<uintptr_t>(block.coverage) -
+              static_cast<uintptr_t>(part.x0)) %
+                 4,
+             0u);
+    for (int32_t y = part.y0; y != part.y1; ++y) {
+      static_cast<Picture*>(context)->put(
+          part.x0, y, block.coverage + (y - part.y0) * block.stride,
+          part.x1 - part.x0);
+    }
+  }
+  /// For Sink::coverage_rgb: a mean in which channels count differently, so
+  /// that none can stand for another.
+  static void coverage_rgb(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* values,
+                           int32_t count) {
+    for (int32_t i = 0; i < count; ++i, values += 3) {
+      const auto mean =
+          static_cast<uint8_t>((values[0] + 2 * values[1] + 4 * values[2]) / 7);
+      coverage(context, x + i, y, &mean, 1);
+    }
+  }
+
  private:
   static constexpr auto kColumnCount = static_cast<size_t>(kWidth);
   static constexpr auto kRowCount = static_cast<size_t>(kHeight);

@@ -4,10 +4,12 @@
 
 #include "check.hpp"
 #include "font_builder.hpp"
+#include "ink.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/shadow.hpp"
 #include "outline_record.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -66,96 +68,17 @@ GlyphCacheOptions exact(uint8_t styles = 1) {
 constexpr int32_t kWidth = 48;
 constexpr int32_t kHeight = 26;
 
-// Coverage of one or three channels; each pixel is drawn once by one glyph.
-struct Canvas {
-  Rect window = {0, 0, kWidth, kHeight};
-  int32_t channels = 1;
-  bool takes_blocks = false;
-  uint8_t pixels[kWidth * kHeight] = {};
+using Page = Picture<kWidth, kHeight, Overlap::greatest>;
+Page cached;
+Page plain;
 
-  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
-    const bool fits = count >= 1 && y >= window.y0 && y < window.y1 &&
-                      x >= window.x0 && count <= window.x1 - x;
-    CHECK(fits && "pixels inside the window");
-    for (int32_t i = 0; fits && i < count; ++i) {
-      uint32_t sum = 0;
-      for (int32_t channel = 0; channel < channels; ++channel) {
-        // Channels count differently, so that none can stand for another.
-        sum += values == nullptr ? 255u << channel
-                                 : uint32_t{*values++} << channel;
-      }
-      sum /= (1u << channels) - 1;
-      uint8_t& pixel = pixels[y * kWidth + x + i];
-      pixel = static_cast<uint8_t>(pixel > sum ? pixel : sum);
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    static_cast<Canvas*>(context)->put(x, y, coverage, count);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Canvas*>(context)->put(x, y, nullptr, count);
-  }
-  static void block(void* context, const CoverageBlock& block) {
-    const Rect& pixels = block.pixels;
-    CHECK_EQ(block.stride % 4, 0);
-    CHECK_EQ((reinterpret_cast<uintptr_t>(block.coverage) -
-              static_cast<uintptr_t>(pixels.x0)) %
-                 4,
-             0u);
-    for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-      static_cast<Canvas*>(context)->put(
-          pixels.x0, y, block.coverage + (y - pixels.y0) * block.stride,
-          pixels.x1 - pixels.x0);
-    }
-  }
-  Sink sink() {
-    Sink sink = {window, this, coverage, solid};
-    sink.block = takes_blocks ? block : nullptr;
-    sink.coverage_rgb = channels == 3 ? coverage : nullptr;
-    return sink;
-  }
-};
-
-Canvas cached;
-Canvas plain;
-
-void clear(Canvas& canvas, int32_t channels) {
-  for (uint8_t& pixel : canvas.pixels) {
-    pixel = 0;
-  }
-  canvas.channels = channels;
-  canvas.window = {0, 0, kWidth, kHeight};
-}
-
-int32_t worst_difference() {
-  int32_t worst = 0;
-  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-    const int32_t difference = cached.pixels[i] - plain.pixels[i];
-    worst = difference > worst ? difference : worst;
-    worst = -difference > worst ? -difference : worst;
-  }
-  return worst;
-}
-
-int32_t ink(const Canvas& canvas) {
-  int32_t sum = 0;
-  for (const uint8_t pixel : canvas.pixels) {
-    sum += pixel;
-  }
-  return sum;
-}
-
-void draw_cached(GlyphCache& cache,
-                 const Font& font,
-                 uint16_t glyph,
-                 const Style& style,
-                 Point origin) {
-  Painter(cached.sink(), {}, &cache).glyph(font, style, origin, glyph);
+// The sink of an empty picture.
+Sink clear(Page& page, bool takes_blocks = false, bool takes_rgb = false) {
+  page.clear();
+  Sink sink = page.sink();
+  sink.block = takes_blocks ? Page::block : nullptr;
+  sink.coverage_rgb = takes_rgb ? Page::coverage_rgb : nullptr;
+  return sink;
 }
 
 // Draws a glyph with the cache and without; the greatest difference.
@@ -164,12 +87,13 @@ int32_t compare(GlyphCache& cache,
                 uint16_t glyph,
                 const Style& style,
                 Point origin,
-                int32_t channels = 1) {
-  clear(cached, channels);
-  clear(plain, channels);
-  draw_cached(cache, font, glyph, style, origin);
-  Painter(plain.sink()).glyph(font, style, origin, glyph);
-  return worst_difference();
+                bool takes_blocks = false,
+                bool takes_rgb = false) {
+  Painter(clear(cached, takes_blocks, takes_rgb), {}, &cache)
+      .glyph(font, style, origin, glyph);
+  Painter(clear(plain, takes_blocks, takes_rgb))
+      .glyph(font, style, origin, glyph);
+  return cached.difference(plain);
 }
 
 Point px(int32_t x, int32_t y) {
@@ -190,9 +114,8 @@ Status draw_clock(const Font& font,
 
 TEST(the_example_draws) {
   const Font font = sample_font();
-  clear(cached, 1);
-  CHECK_OK(draw_clock(font, style_of(20), px(2, 20), cached.sink()));
-  CHECK(ink(cached) > 0);
+  CHECK_OK(draw_clock(font, style_of(20), px(2, 20), clear(cached)));
+  CHECK(cached.ink() > 0);
 }
 
 TEST(options_out_of_range_are_refused) {
@@ -227,7 +150,7 @@ TEST(without_ram_it_draws_all_the_same) {
   const Style style = style_of(20);
   GlyphCache cache;
   CHECK_EQ(compare(cache, font, 1, style, px(8, 20)), 0);
-  CHECK(ink(cached) > 0);
+  CHECK(cached.ink() > 0);
   CHECK_EQ(cache.stats().hits + cache.stats().misses, 0u);
 }
 
@@ -266,13 +189,12 @@ TEST(glyphs_are_drawn_at_the_nearest_phase) {
   options.phases = 4;
   GlyphCache cache = cache_of(sizeof ram, options);
   for (int32_t raw = 576; raw < 704; ++raw) {
-    clear(cached, 1);
-    clear(plain, 1);
     const Q26_6 y = Q26_6::from_int(20);
-    draw_cached(cache, font, 1, style, {Q26_6::from_raw(raw), y});
-    Painter(plain.sink())
+    Painter(clear(cached), {}, &cache)
+        .glyph(font, style, {Q26_6::from_raw(raw), y}, 1);
+    Painter(clear(plain))
         .glyph(font, style, {Q26_6::from_raw((raw + 8) & ~15), y}, 1);
-    CHECK_EQ(worst_difference(), 0);
+    CHECK(cached == plain);
   }
   CHECK_EQ(cache.stats().misses, 4u);
   CHECK_EQ(cache.stats().hits, 124u);
@@ -282,23 +204,17 @@ TEST(strips_and_windows_do_not_matter) {
   const Font font = sample_font();
   const Style style = style_of(20);
   const Text text = "ABCA";
-  clear(plain, 1);
   GlyphCache whole = cache_of(2048, exact());
-  Painter(plain.sink(), {}, &whole).text(font, style, px(-3, 18), text);
-  CHECK(ink(plain) > 0);
+  Painter(clear(plain), {}, &whole).text(font, style, px(-3, 18), text);
+  CHECK(plain.ink() > 0);
   for (int32_t rows = 1; rows < 9; ++rows) {
     GlyphCache cache = cache_of(2048, exact());
-    clear(cached, 1);
-    cached.takes_blocks = rows % 2 == 0;
-    for (int32_t y = 0; y < kHeight; y += rows) {
-      const int32_t end = y + rows < kHeight ? y + rows : kHeight;
-      const int32_t middle = 5 * rows;
-      cached.window = {0, y, middle, end};
-      Painter(cached.sink(), {}, &cache).text(font, style, px(-3, 18), text);
-      cached.window = {middle, y, kWidth, end};
-      Painter(cached.sink(), {}, &cache).text(font, style, px(-3, 18), text);
-    }
-    CHECK_EQ(worst_difference(), 0);
+    cached.clear();
+    cached.draw_parts(rows, 5 * rows, [&](Sink sink) {
+      sink.block = rows % 2 == 0 ? Page::block : nullptr;
+      Painter(sink, {}, &cache).text(font, style, px(-3, 18), text);
+    });
+    CHECK(cached == plain);
   }
 }
 
@@ -306,33 +222,35 @@ TEST(glyphs_outside_the_window_are_not_recorded) {
   const Font font = sample_font();
   const Style style = style_of(20);
   GlyphCache cache = cache_of(2048, exact());
-  clear(cached, 1);
-  draw_cached(cache, font, 2, style, px(500, 18));
-  draw_cached(cache, font, 1, style, px(10, 18));  // a space
+  const Sink sink = clear(cached);
+  const Painter painter(sink, {}, &cache);
+  painter.glyph(font, style, px(500, 18), 2);
+  painter.glyph(font, style, px(10, 18), 1);  // a space
   CHECK_EQ(cache.stats().misses, 0u);
   CHECK_EQ(cache.stats().glyphs, 0u);
-  CHECK_EQ(ink(cached), 0);
+  CHECK_EQ(cached.ink(), 0);
 }
 
 TEST(the_glyph_unused_for_the_longest_time_leaves) {
   const Font font = outline_font();
   const Style style = style_of(24);
   GlyphCache cache = cache_of(1024, exact());
-  clear(cached, 1);
+  const Sink sink = clear(cached);
+  const Painter painter(sink, {}, &cache);
   // Phase by phase until one had to leave, with the first always in use.
   int32_t drawn = 0;
   while (cache.stats().evictions == 0 && drawn < 60) {
-    draw_cached(cache, font, 1, style, px(10, 20));
+    painter.glyph(font, style, px(10, 20), 1);
     const Point origin = {Q26_6::from_raw(641 + drawn), Q26_6::from_int(20)};
-    draw_cached(cache, font, 1, style, origin);
+    painter.glyph(font, style, origin, 1);
     ++drawn;
   }
   CHECK(drawn > 2 && drawn < 60);
   const GlyphCacheStats before = cache.stats();
-  draw_cached(cache, font, 1, style, px(10, 20));
+  painter.glyph(font, style, px(10, 20), 1);
   CHECK_EQ(cache.stats().hits, before.hits + 1);
   const Point second = {Q26_6::from_raw(641), Q26_6::from_int(20)};
-  draw_cached(cache, font, 1, style, second);
+  painter.glyph(font, style, second, 1);
   CHECK_EQ(cache.stats().misses, before.misses + 1);
   CHECK(cache.stats().bytes <= cache.stats().capacity);
 }
@@ -341,7 +259,7 @@ TEST(glyphs_that_are_too_large_are_drawn_and_not_kept) {
   const Font font = sample_font();
   GlyphCache cache = cache_of(512, exact());
   CHECK_EQ(compare(cache, font, 2, style_of(40), px(4, 24)), 0);
-  CHECK(ink(cached) > 0);
+  CHECK(cached.ink() > 0);
   CHECK_EQ(cache.stats().bypasses, 1u);
   CHECK_EQ(cache.stats().misses, 0u);
 }
@@ -374,22 +292,12 @@ TEST(boxes_of_text_are_where_the_cache_draws_it) {
   for (int32_t raw = 0; raw < 64; raw += 7) {
     const Point origin = {Q26_6::from_raw(2 * 64 + raw),
                           Q26_6::from_raw(19 * 64 - raw)};
-    clear(cached, 1);
-    const Sink sink = cached.sink();
+    Ink ink;
+    const Sink sink = ink.sink({0, 0, kWidth, kHeight});
     const Painter painter(sink, {}, &cache);
     const Rect box = painter.box(font, style, origin, "AA");
     painter.text(font, style, origin, "AA");
-    Rect touched;
-    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
-      const int32_t x = i % kWidth;
-      const int32_t y = i / kWidth;
-      if (cached.pixels[i] != 0) {
-        touched = is_empty(touched)
-                      ? Rect{x, y, x + 1, y + 1}
-                      : Rect{touched.x0 < x ? touched.x0 : x, touched.y0,
-                             touched.x1 > x ? touched.x1 : x + 1, y + 1};
-      }
-    }
+    const Rect touched = ink.box;
     CHECK(touched.x0 >= box.x0 && touched.x0 <= box.x0 + 1);
     CHECK(touched.y0 >= box.y0 && touched.y0 <= box.y0 + 1);
     CHECK(touched.x1 <= box.x1 && touched.x1 >= box.x1 - 1);
@@ -409,11 +317,9 @@ TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   run[1].face = 1;
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
-    clear(cached, 1);
-    clear(plain, 1);
-    Painter(cached.sink(), {}, &cache).glyphs(face, fallback, px(6, 20), run);
-    Painter(plain.sink()).glyphs(face, fallback, px(6, 20), run);
-    CHECK_EQ(worst_difference(), 0);
+    Painter(clear(cached), {}, &cache).glyphs(face, fallback, px(6, 20), run);
+    Painter(clear(plain)).glyphs(face, fallback, px(6, 20), run);
+    CHECK(cached == plain);
   }
   CHECK_EQ(cache.stats().misses, 2u);
   CHECK_EQ(cache.stats().hits, 2u);
@@ -426,9 +332,8 @@ TEST(faces_without_a_glyph_take_no_slot) {
   PositionedGlyph run[1];
   run[0].glyph = 1;
   GlyphCache cache = cache_of(2048, exact());
-  clear(cached, 1);
   for (int32_t round = 0; round < 3; ++round) {
-    Painter(cached.sink(), {}, &cache)
+    Painter(clear(cached), {}, &cache)
         .glyphs({&fonts[0], &styles[0]}, fallback, px(6, 20), run);
   }
   CHECK_EQ(cache.stats().hits, 2u);
@@ -442,10 +347,10 @@ TEST(sub_pixels_are_kept_by_channel) {
   style.set_effect(lcd);
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
-    CHECK_EQ(compare(cache, font, 1, style, px(10, 20), 3), 0);
-    CHECK_EQ(compare(cache, font, 2, style, px(10, 20), 3), 0);
+    CHECK_EQ(compare(cache, font, 1, style, px(10, 20), false, true), 0);
+    CHECK_EQ(compare(cache, font, 2, style, px(10, 20), false, true), 0);
     // A sink without channels has an entry of its own.
-    CHECK_EQ(compare(cache, font, 1, style, px(10, 20), 1), 0);
+    CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
   }
   CHECK_EQ(cache.stats().hits, 3u);
   CHECK_EQ(cache.stats().misses, 3u);
@@ -494,8 +399,8 @@ TEST(random_calls_draw_as_without_a_cache) {
                             Q26_6::from_raw(random.between(0, 2048))};
       const auto glyph = static_cast<uint16_t>(random.below(6));
       const int32_t limit = options.bits == 4 ? 8 : 0;
-      cached.takes_blocks = random.below(2) == 0;
-      CHECK(compare(cache, font, glyph, style, origin) <= limit);
+      CHECK(compare(cache, font, glyph, style, origin, random.below(2) == 0) <=
+            limit);
       CHECK(cache.stats().bytes <= cache.stats().capacity);
     }
   }

@@ -1,11 +1,13 @@
 // Layout: places where lines end, boxes, labels, carets, directions.
 #include "check.hpp"
+#include "ink.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "inkcell/painter.hpp"
 #include "layout_font.hpp"
 #include "picture.hpp"
+#include "sample_rom.hpp"
 
 namespace {
 
@@ -339,17 +341,6 @@ Font open_overhanging() {
   return font;
 }
 
-template <int32_t kWidth, int32_t kHeight>
-int32_t ink_of(const Picture<kWidth, kHeight>& picture) {
-  int32_t sum = 0;
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = 0; x < kWidth; ++x) {
-      sum += picture.at(x, y);
-    }
-  }
-  return sum;
-}
-
 TEST(ink_may_overhang_a_box) {
   const Font font = open_overhanging();
   const Style style(10_px, kFilterText);
@@ -363,8 +354,8 @@ TEST(ink_may_overhang_a_box) {
   static Picture<20, 20> whole, boxed, cut;
   inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
   box.draw("A", boxed.sink());
-  CHECK(ink_of(whole) > 26 * 255);
-  CHECK_EQ(ink_of(whole), ink_of(boxed));
+  CHECK(whole.ink() > 26 * 255);
+  CHECK_EQ(whole.ink(), boxed.ink());
   const Rect ink = box.box("A", {});
   const Rect by_painter = Painter().box(font, style, {3, 13}, "A");
   CHECK_EQ(ink.x0, by_painter.x0);
@@ -375,7 +366,7 @@ TEST(ink_may_overhang_a_box) {
   // Ink is cut where somebody asks for it.
   box.clip = box.rect;
   box.draw("A", cut.sink());
-  CHECK(ink_of(cut) < 12 * 255);
+  CHECK(cut.ink() < 12 * 255);
   CHECK_EQ(box.box("A", {}).x1, 6);
   CHECK_EQ(box.box("A", {}).y0, 8);
 }
@@ -442,10 +433,7 @@ TEST(carets_and_hits_agree) {
 // A stands in the first face, the Hebrew letter in the second one, that is half
 // as large; a letter that no face has becomes .notdef of the first.
 TEST(faces_fall_back) {
-  alignas(4) static uint8_t sample_rom[font_builder::kSampleFontBytes];
-  const size_t size = font_builder::build_sample_font(sample_rom);
-  Font sample;
-  CHECK_OK(open_any_font({sample_rom, size}, sample));
+  const Font sample = sample_rom::sample();
   const Setting setting;
   Style small(5_px, kFilterText);
   const Face fallback[] = {{&setting.font, &small}};
@@ -504,32 +492,19 @@ TEST(a_label_that_fits_is_not_cut) {
   static Picture<20, 20> whole, drawn, scrolled;
   inkcell::Painter(whole.sink()).text(font, style, {3, 13}, "A");
   label.draw({}, drawn.sink());
-  CHECK_EQ(ink_of(whole), ink_of(drawn));
+  CHECK_EQ(whole.ink(), drawn.ink());
   label.draw(1_px, scrolled.sink());
-  CHECK(ink_of(scrolled) <= 12 * 255);
+  CHECK(scrolled.ink() <= 12 * 255);
 }
 
 TEST(screens_have_paragraphs_and_labels) {
   const Setting setting;
   static Screen screen;
   CHECK_OK(make_screen(setting.font, setting.style, screen));
-  struct Rows {
-    int32_t first = INT32_MAX;
-    int32_t last = 0;
-  } rows;
-  Sink sink;
-  sink.window = {0, 0, 128, 64};
-  sink.context = &rows;
-  sink.coverage = [](void* context, int32_t, int32_t y, const uint8_t*,
-                     int32_t) {
-    Rows& seen = *static_cast<Rows*>(context);
-    seen.first = y < seen.first ? y : seen.first;
-    seen.last = y > seen.last ? y : seen.last;
-  };
-  sink.solid = [](void*, int32_t, int32_t, int32_t) {};
-  draw_screen(screen, 40, sink);
-  CHECK(rows.first >= 4 && rows.first < 16);
-  CHECK(rows.last > 48 && rows.last < 64);
+  Ink ink;
+  draw_screen(screen, 40, ink.sink({0, 0, 128, 64}));
+  CHECK(ink.box.y0 >= 4 && ink.box.y0 < 16);
+  CHECK(ink.box.y1 > 49 && ink.box.y1 <= 64);
   // The same with Bidi: the text is from left to right.
   static uint16_t cells[256];  // one for each byte of the longest paragraph
   static Bidi bidi(cells);

@@ -37,14 +37,9 @@ DistanceGrid square() {
   return grid;
 }
 
+// The mean of a part.
 int32_t ink(const Picture<kSide, kSide>& picture, const Rect& part) {
-  int32_t sum = 0;
-  for (int32_t y = part.y0; y < part.y1; ++y) {
-    for (int32_t x = part.x0; x < part.x1; ++x) {
-      sum += picture.at(x, y);
-    }
-  }
-  return sum / ((part.x1 - part.x0) * (part.y1 - part.y0));
+  return picture.ink(part) / ((part.x1 - part.x0) * (part.y1 - part.y0));
 }
 
 // Where distances are clamped there are no rings, and a cutoff moves the edge.
@@ -92,10 +87,7 @@ TEST(thin_lines_at_slanted_edges_are_even) {
   int32_t least = 255;
   int32_t most = 0;
   for (int32_t y = 8; y < kSide - 8; ++y) {
-    int32_t sum = 0;
-    for (int32_t x = 0; x < kSide; ++x) {
-      sum += picture.at(x, y);
-    }
+    const int32_t sum = picture.ink({0, y, kSide, y + 1});
     least = sum < least ? sum : least;
     most = sum > most ? sum : most;
   }
