@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "bitmap.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/painter.hpp"
@@ -26,23 +27,14 @@ using namespace inkcell;
 
 constexpr int kLarge = 128;  // size that tells the parts [px]
 
-struct Bitmap {
-  int side;  // the origin lies at side / 4 and 2 side / 3
-  std::vector<uint8_t> pixels;
-
-  uint8_t& at(int x, int y) {
-    return pixels[static_cast<size_t>(y * side + x)];
-  }
-};
-
+// The origin lies at a quarter of the side from the left, two thirds down.
 Bitmap draw(const Font& font,
             uint16_t glyph,
             const Style& style,
             FinePoint shift,
             bool is_one_bit) {
   const int side = 3 * (style.size().raw >> 6) + 3;
-  Bitmap picture = {side,
-                    std::vector<uint8_t>(static_cast<size_t>(side * side))};
+  Bitmap picture(side);
   port::A8Canvas canvas(
       {{picture.pixels.data(), picture.pixels.size()}, 0, 0, side, side, side});
   if (is_one_bit) {
@@ -64,29 +56,6 @@ struct Ink {
   int part;
 };
 
-void take_part(Bitmap& picture, int x, int y, int part, std::vector<Ink>& out) {
-  std::vector<int> open = {y * picture.side + x};
-  picture.at(x, y) = 0;
-  while (!open.empty()) {
-    const int at_x = open.back() % picture.side;
-    const int at_y = open.back() / picture.side;
-    open.pop_back();
-    out.push_back({at_x + 0.5 - picture.side / 4,
-                   picture.side * 2 / 3 - (at_y + 0.5), part});
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int to_x = at_x + dx;
-        const int to_y = at_y + dy;
-        if (to_x >= 0 && to_x < picture.side && to_y >= 0 &&
-            to_y < picture.side && picture.at(to_x, to_y) != 0) {
-          picture.at(to_x, to_y) = 0;
-          open.push_back(to_y * picture.side + to_x);
-        }
-      }
-    }
-  }
-}
-
 // The parts of a glyph; returns how many there are.
 int find_parts(const Font& font, uint16_t glyph, std::vector<Ink>& ink) {
   Bitmap picture =
@@ -95,7 +64,11 @@ int find_parts(const Font& font, uint16_t glyph, std::vector<Ink>& ink) {
   for (int y = 0; y < picture.side; ++y) {
     for (int x = 0; x < picture.side; ++x) {
       if (picture.at(x, y) >= 64) {
-        take_part(picture, x, y, parts++, ink);
+        picture.take_piece(x, y, [&](int at_x, int at_y) {
+          ink.push_back({at_x + 0.5 - picture.side / 4,
+                         picture.side * 2 / 3 - (at_y + 0.5), parts});
+        });
+        ++parts;
       }
     }
   }

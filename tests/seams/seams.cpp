@@ -8,16 +8,15 @@
 // of the font's range where it is largest. The points are 1/65536 u apart on
 // both sides of each border, 33 along each side of each cell.
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "inkcell/field/cell.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
+#include "rom_file.hpp"
 
 namespace {
 
@@ -162,20 +161,6 @@ class Glyph {
   Summary& summary_;
 };
 
-std::vector<uint8_t> read_file(const char* path) {
-  std::vector<uint8_t> bytes;
-  FILE* file = fopen(path, "rb");
-  if (file == nullptr) {
-    fprintf(stderr, "seams: cannot open %s\n", path);
-    exit(2);
-  }
-  for (int c = getc(file); c != EOF; c = getc(file)) {
-    bytes.push_back(static_cast<uint8_t>(c));
-  }
-  fclose(file);
-  return bytes;
-}
-
 std::string name_of(const Font& font, uint16_t glyph) {
   for (uint32_t code_point = 1; code_point < 0x110000; ++code_point) {
     uint16_t found = 0;
@@ -202,9 +187,9 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: seams FONT.bin\n");
     return 2;
   }
-  const std::vector<uint8_t> bytes = read_file(argv[1]);
+  const RomFile file(argv[1]);
   Font font;
-  if (open_any_font({bytes.data(), bytes.size()}, font) != Status::ok) {
+  if (!file.open(font)) {
     fprintf(stderr, "seams: %s is not a ROM font\n", argv[1]);
     return 2;
   }

@@ -6,11 +6,10 @@
 // and counts pieces of ink that touch, also at corners. A picture that has more
 // pieces than the glyph at 64 px is broken. What a threshold alone would break,
 // and pictures with fewer pieces, are printed beside it.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <vector>
 
+#include "bitmap.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/painter.hpp"
@@ -21,13 +20,7 @@ namespace {
 
 using namespace inkcell;
 
-// A picture, 1 where there is ink.
-struct Bitmap {
-  int width;
-  int height;
-  std::vector<uint8_t> pixels;
-};
-
+// 1 where there is ink.
 Bitmap draw(const Font& font,
             uint16_t glyph,
             int px,
@@ -35,8 +28,7 @@ Bitmap draw(const Font& font,
             int y_q6,
             bool is_bilevel) {
   const int side = 3 * px;
-  Bitmap picture = {side, side,
-                    std::vector<uint8_t>(static_cast<size_t>(side * side))};
+  Bitmap picture(side);
   const Bilevel bilevel;
   Style style(Q26_6::from_int(px), kFilterText);
   const port::A8Canvas canvas(
@@ -57,36 +49,14 @@ Bitmap draw(const Font& font,
   return picture;
 }
 
-void erase(Bitmap& picture, int start) {
-  std::vector<int> open = {start};
-  picture.pixels[static_cast<size_t>(start)] = 0;
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int x = at % picture.width + dx;
-        const int y = at / picture.width + dy;
-        if (x < 0 || x >= picture.width || y < 0 || y >= picture.height) {
-          continue;
-        }
-        uint8_t& pixel =
-            picture.pixels[static_cast<size_t>(y * picture.width + x)];
-        if (pixel != 0) {
-          pixel = 0;
-          open.push_back(y * picture.width + x);
-        }
-      }
-    }
-  }
-}
-
 int count_pieces(Bitmap picture) {
   int pieces = 0;
-  for (int i = 0; i < picture.width * picture.height; ++i) {
-    if (picture.pixels[static_cast<size_t>(i)] != 0) {
-      erase(picture, i);
-      ++pieces;
+  for (int y = 0; y < picture.side; ++y) {
+    for (int x = 0; x < picture.side; ++x) {
+      if (picture.at(x, y) != 0) {
+        picture.take_piece(x, y, [](int, int) {});
+        ++pieces;
+      }
     }
   }
   return pieces;
