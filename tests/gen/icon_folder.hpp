@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "base/error.hpp"
+#include "messages.hpp"
 #include "sfnt_builder.hpp"
 
 namespace inkcell::gen::test {
@@ -18,7 +18,7 @@ class Icons : public testing::Test {
  protected:
   std::filesystem::path write(const std::string& name,
                               const std::string& text = kBox) const {
-    return folder_.write(name, {text.begin(), text.end()});
+    return folder_.write(name, text);
   }
   std::string file(const std::string& icon) const {
     return (folder_.path() / icon).string();
@@ -26,15 +26,5 @@ class Icons : public testing::Test {
 
   TestFolder folder_;
 };
-
-template <typename Function>
-std::string refusal(Function function) {
-  try {
-    function();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 }  // namespace inkcell::gen::test

@@ -427,6 +427,7 @@ TestFolder::~TestFolder() {
 std::filesystem::path TestFolder::write(const std::string& name,
                                         const Bytes& bytes) const {
   const std::filesystem::path file = path_ / name;
+  std::filesystem::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()),
             static_cast<std::streamsize>(bytes.size()));
@@ -445,6 +446,11 @@ std::vector<std::string> TestFolder::names() const {
 Bytes read_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return Bytes(std::istreambuf_iterator<char>(in), {});
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  const Bytes bytes = read_file(file);
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace inkcell::gen::test

@@ -73,9 +73,13 @@ class TestFolder {
   TestFolder& operator=(const TestFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Writes a file; returns its path.
+  /// Writes a file, whose folders are made; returns its path.
   std::filesystem::path write(const std::string& name,
                               const std::vector<uint8_t>& bytes) const;
+  std::filesystem::path write(const std::string& name,
+                              const std::string& text) const {
+    return write(name, std::vector<uint8_t>(text.begin(), text.end()));
+  }
   std::filesystem::path write(const std::string& name, const Sfnt& font) const {
     return write(name, font.build());
   }
@@ -86,5 +90,6 @@ class TestFolder {
 };
 
 std::vector<uint8_t> read_file(const std::filesystem::path& file);
+std::string read_text(const std::filesystem::path& file);
 
 }  // namespace inkcell::gen::test

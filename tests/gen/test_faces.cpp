@@ -175,10 +175,9 @@ TEST_F(Faces, OnlyIconsLeaveTheirBaseline) {
   folder_.write("text.ttf", none);
   folder_.write("face.ttf", square_face(500, 0, U"\ue000"));
   EXPECT_EQ(load("0xE001", {"face.ttf=0xE000"}).faces.at(1).shift_em, 0);
-  EXPECT_NE(refusal([&] {
-              load("0xE001", {"face.ttf:height=cap=0xE000"});
-            }).find("how high its capitals are"),
-            std::string::npos);
+  EXPECT_TRUE(contains(
+      error_of([&] { load("0xE001", {"face.ttf:height=cap=0xE000"}); }),
+      "how high its capitals are"));
 }
 
 TEST_F(Faces, StandAndScaleAsAsked) {
@@ -280,19 +279,17 @@ TEST_F(Faces, SettingsAreReadAfterTheName) {
       {"x.ttf:height=large", "'large' is not em, cap or a number of em"},
       {"x.ttf:baseline=top=A", "'top' is not middle, bottom or a number of"}};
   for (const auto& at : wrong) {
-    const std::string said = refusal([&] { parse_merged_face(at.text); });
-    EXPECT_EQ(said.find(std::string("--merge '") + at.text + "': "), 0u)
-        << said;
-    EXPECT_NE(said.find(at.said), std::string::npos) << said;
+    const std::string said = error_of([&] { parse_merged_face(at.text); });
+    EXPECT_TRUE(begins_with(said, std::string("--merge '") + at.text + "': "));
+    EXPECT_TRUE(contains(said, at.said));
   }
 }
 
 TEST_F(Faces, WrongListIsExplained) {
-  EXPECT_NE(refusal([&] { load("A", {"more.ttf=D-B"}); }).find("backwards"),
-            std::string::npos);
+  EXPECT_TRUE(
+      contains(error_of([&] { load("A", {"more.ttf=D-B"}); }), "backwards"));
   for (const char* face : {"none.ttf", "none.ttf=A", "none.ttf=B"}) {
-    EXPECT_NE(refusal([&] { load("A", {face}); }).find("no such file"),
-              std::string::npos)
+    EXPECT_TRUE(contains(error_of([&] { load("A", {face}); }), "no such file"))
         << face;
   }
 }
@@ -373,8 +370,7 @@ TEST_F(Faces, StringsTellWhatNoFaceHas) {
   request.string_files = {write("ui.txt", "one = BZ\n")};
   EXPECT_EQ(generate(request).report.missing, std::vector<char32_t>{U'Z'});
   request.strict = true;
-  EXPECT_NE(refusal([&] { generate(request); }).find("ui.txt:1: "),
-            std::string::npos);
+  EXPECT_TRUE(contains(error_of([&] { generate(request); }), "ui.txt:1: "));
 }
 
 // Records of a merged font equal those of each face's own font.

@@ -14,9 +14,7 @@ class FilePattern : public testing::Test {
   FilePattern() {
     for (const char* name :
          {"a.c", "b.cpp", "x/c.c", "x/y/d.c", "x/.git/e.c", ".f.c"}) {
-      const std::filesystem::path file = folder_.path() / name;
-      std::filesystem::create_directories(file.parent_path());
-      folder_.write(name, std::vector<uint8_t>());
+      folder_.write(name, "");
     }
     // A cycle of links.
     std::filesystem::create_directory_symlink("..", folder_.path() / "x/up");

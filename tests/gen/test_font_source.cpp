@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "glyph_outlines.hpp"
+#include "messages.hpp"
 #include "sfnt_builder.hpp"
 #include "source/font_source.hpp"
 #include "web_fonts.hpp"
@@ -27,21 +28,8 @@ SourceFont load(const FontRequest& request) {
 
 // The message of the Error thrown by loading.
 std::string refusal(const FontRequest& request) {
-  try {
-    load(request);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { load(request); });
 }
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-#define EXPECT_CONTAINS(text, part) \
-  EXPECT_TRUE(contains(text, part)) \
-      << "'" << (text) << "' lacks '" << (part) << "'"
 
 TEST(FontSource, ReadsGlyphsInOrderOfCodePoints) {
   const TestFolder folder;
@@ -160,7 +148,7 @@ TEST(FontSource, TakesLinesFromOs2WhereHheaIsEmpty) {
   EXPECT_EQ(lines(), (std::vector<int>{2000, -2000, 0}));  // as in head
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, Warning::Kind::measure);
-  EXPECT_CONTAINS(warnings[0].text, "a.ttf: states no height of a line");
+  EXPECT_TRUE(contains(warnings[0].text, "a.ttf: states no height of a line"));
 }
 
 TEST(FontSource, MeasuresHeightsThatTheFontDoesNotState) {
@@ -185,9 +173,9 @@ TEST(FontSource, OpensTheFaceOfACollection) {
   request.face = 1;
   EXPECT_EQ(load(request).glyphs[1].advance, 901);
   request.face = 2;
-  EXPECT_CONTAINS(refusal(request), "has no face 2; choose 0 to 1");
+  EXPECT_TRUE(contains(refusal(request), "has no face 2; choose 0 to 1"));
   request.face = -1;
-  EXPECT_CONTAINS(refusal(request), "has no face -1");
+  EXPECT_TRUE(contains(refusal(request), "has no face -1"));
 }
 
 TEST(FontSource, SetsTheAxesOfAVariableFont) {
@@ -228,17 +216,17 @@ TEST(FontSource, TakesInstancesByName) {
   EXPECT_EQ(made(), std::make_tuple(850, std::string("Test, wght 650"),
                                     "wght 650 of 100..900"));
   request.instance = "Bold";
-  EXPECT_CONTAINS(
-      refusal(request),
-      "a.ttf: has no instance 'Bold', but Thin, Regular, Extra "
-      "Black; choose one, or set axes: wght 100..900 (default 400)");
+  EXPECT_TRUE(
+      contains(refusal(request),
+               "a.ttf: has no instance 'Bold', but Thin, Regular, Extra "
+               "Black; choose one, or set axes: wght 100..900 (default 400)"));
   source.instances.clear();
   request.file = folder.write("b.ttf", source);
-  EXPECT_CONTAINS(refusal(request), "b.ttf: has no named instances");
+  EXPECT_TRUE(contains(refusal(request), "b.ttf: has no named instances"));
   source.wght_shift = 0;
   request.axes.clear();
   request.file = folder.write("fixed.ttf", source);
-  EXPECT_CONTAINS(refusal(request), "fixed.ttf: is not a variable font");
+  EXPECT_TRUE(contains(refusal(request), "fixed.ttf: is not a variable font"));
 }
 
 TEST(FontSource, RefusesWrongAxes) {
@@ -246,16 +234,16 @@ TEST(FontSource, RefusesWrongAxes) {
   Sfnt source = Sfnt::plain();
   FontRequest request = request_of(folder.write("fixed.ttf", source));
   request.axes = {parse_axis("wght=600")};
-  EXPECT_CONTAINS(refusal(request), "fixed.ttf: is not a variable font");
+  EXPECT_TRUE(contains(refusal(request), "fixed.ttf: is not a variable font"));
   source.wght_shift = 100;
   request.file = folder.write("a.ttf", source);
   request.axes = {parse_axis("wght=901")};
-  EXPECT_CONTAINS(refusal(request),
-                  "a.ttf: wght=901 is out of range; the axes are wght "
-                  "100..900 (default 400)");
+  EXPECT_TRUE(contains(refusal(request),
+                       "a.ttf: wght=901 is out of range; the axes are wght "
+                       "100..900 (default 400)"));
   request.axes = {parse_axis("wdth=75")};
-  EXPECT_CONTAINS(refusal(request),
-                  "has no axis 'wdth'; the axes are wght 100..900");
+  EXPECT_TRUE(contains(refusal(request),
+                       "has no axis 'wdth'; the axes are wght 100..900"));
   EXPECT_THROW(parse_axis("wght"), Error);
   EXPECT_THROW(parse_axis("=600"), Error);
   EXPECT_THROW(parse_axis("weight=600"), Error);
@@ -268,11 +256,12 @@ TEST(FontSource, RefusesWhatIsNoFont) {
   const auto refused = [&](const std::vector<uint8_t>& bytes) {
     return refusal(request_of(folder.write("a.ttf", bytes)));
   };
-  EXPECT_CONTAINS(refusal(request_of(folder.path() / "none.ttf")),
-                  "none.ttf: there is no such file");
-  EXPECT_CONTAINS(refused({}), "a.ttf: is not a font: only 0 bytes");
+  EXPECT_TRUE(contains(refusal(request_of(folder.path() / "none.ttf")),
+                       "none.ttf: there is no such file"));
+  EXPECT_TRUE(contains(refused({}), "a.ttf: is not a font: only 0 bytes"));
   const std::string text = "This is a text and not a font at all.";
-  EXPECT_CONTAINS(refused({text.begin(), text.end()}), "is not a font; TTF");
+  EXPECT_TRUE(
+      contains(refused({text.begin(), text.end()}), "is not a font; TTF"));
 }
 
 using Pack = std::vector<uint8_t> (*)(const std::vector<uint8_t>&);
@@ -302,7 +291,7 @@ TEST(FontSource, ReadsWebFonts) {
     };
     EXPECT_EQ(corner(font), corner(expected));
     request.face = 1;
-    EXPECT_CONTAINS(refusal(request), "a.woff: has no face 1; choose 0");
+    EXPECT_TRUE(contains(refusal(request), "a.woff: has no face 1; choose 0"));
     request.face = 0;
   }
 }
@@ -318,10 +307,11 @@ TEST(FontSource, RefusesDamagedWebFonts) {
     const std::string tool =
         pack == pack_woff ? "woff2sfnt" : "woff2_decompress";
     for (size_t size = 12; size < whole.size(); size += 5) {
-      const std::string message = refused(
-          {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)});
-      EXPECT_CONTAINS(message, "a.woff: FreeType cannot unpack this WOFF");
-      EXPECT_CONTAINS(message, "get it anew, or unpack it with " + tool);
+      const std::string message = refused(std::vector<uint8_t>(
+          whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)));
+      EXPECT_TRUE(
+          contains(message, "a.woff: FreeType cannot unpack this WOFF"));
+      EXPECT_TRUE(contains(message, "get it anew, or unpack it with " + tool));
     }
   }
 }
@@ -338,7 +328,8 @@ TEST(FontSource, RefusesEveryTruncation) {
     for (size_t size = 0; size + 4 < whole.size(); ++size) {
       request.file = folder.write(
           "a.ttf",
-          {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)});
+          std::vector<uint8_t>(whole.begin(),
+                               whole.begin() + static_cast<ptrdiff_t>(size)));
       const std::string message = refusal(request);
       EXPECT_TRUE(contains(message, "truncated") ||
                   contains(message, "is not a font"))
@@ -352,9 +343,9 @@ TEST(FontSource, RefusesTruncatedRealFonts) {
   const std::vector<uint8_t> whole = read_file(kDejaVuSans);
   for (const size_t percent : {1u, 10u, 50u, 90u, 99u}) {
     const auto size = static_cast<ptrdiff_t>(whole.size() * percent / 100);
-    const FontRequest request = request_of(
-        folder.write("a.ttf", {whole.begin(), whole.begin() + size}));
-    EXPECT_CONTAINS(refusal(request), "a.ttf: is truncated: table '");
+    const FontRequest request = request_of(folder.write(
+        "a.ttf", std::vector<uint8_t>(whole.begin(), whole.begin() + size)));
+    EXPECT_TRUE(contains(refusal(request), "a.ttf: is truncated: table '"));
   }
 }
 
@@ -368,8 +359,8 @@ TEST(FontSource, RefusesFontsWithoutOutlines) {
   source.tables["EBDT"] = {0, 2, 0, 0};
   const std::string message =
       refusal(request_of(folder.write("bitmaps.ttf", source)));
-  EXPECT_CONTAINS(message, "bitmaps.ttf: ");
-  EXPECT_CONTAINS(message, "has no outlines, only bitmaps");
+  EXPECT_TRUE(contains(message, "bitmaps.ttf: "));
+  EXPECT_TRUE(contains(message, "has no outlines, only bitmaps"));
 }
 
 TEST(FontSource, RefusesAbsurdUnitsPerEm) {
@@ -377,9 +368,9 @@ TEST(FontSource, RefusesAbsurdUnitsPerEm) {
   for (const int units : {0, 1, 15, 16385, 65535}) {
     Sfnt source = Sfnt::plain();
     source.units_per_em = units;
-    EXPECT_CONTAINS(
+    EXPECT_TRUE(contains(
         refusal(request_of(folder.write("a.ttf", source))),
-        "a.ttf: has " + std::to_string(units) + " units per em, OpenType");
+        "a.ttf: has " + std::to_string(units) + " units per em, OpenType"));
   }
   for (const int units : {16, 16384}) {
     Sfnt source = Sfnt::plain();
@@ -392,12 +383,12 @@ TEST(FontSource, RefusesFontsWithoutGlyphs) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();
   source.glyphs.clear();
-  EXPECT_CONTAINS(refusal(request_of(folder.write("none.ttf", source))),
-                  "none.ttf: holds no glyphs");
+  EXPECT_TRUE(contains(refusal(request_of(folder.write("none.ttf", source))),
+                       "none.ttf: holds no glyphs"));
   // One glyph: only .notdef.
   source.glyphs = {Sfnt::plain().glyphs[0]};
-  EXPECT_CONTAINS(refusal(request_of(folder.write("one.ttf", source))),
-                  "one.ttf: holds none of the 95 characters asked for");
+  EXPECT_TRUE(contains(refusal(request_of(folder.write("one.ttf", source))),
+                       "one.ttf: holds none of the 95 characters asked for"));
 }
 
 TEST(FontSource, NamesTheGlyphThatIsDamaged) {
@@ -414,14 +405,15 @@ TEST(FontSource, NamesTheGlyphThatIsDamaged) {
   broken.tables["loca"] = loca;
   const std::string message =
       refusal(request_of(folder.write("a.ttf", broken)));
-  EXPECT_CONTAINS(message, "a.ttf: glyph 3 (U+0048 'H') cannot be read");
-  EXPECT_CONTAINS(message, "get the font anew or leave the character out");
+  EXPECT_TRUE(contains(message, "a.ttf: glyph 3 (U+0048 'H') cannot be read"));
+  EXPECT_TRUE(
+      contains(message, "get the font anew or leave the character out"));
   // .notdef cannot be left out.
   loca = {0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64};
   broken.tables["loca"] = loca;
   const std::string notdef = refusal(request_of(folder.write("a.ttf", broken)));
-  EXPECT_CONTAINS(notdef, "a.ttf: glyph 0 (.notdef) cannot be read");
-  EXPECT_CONTAINS(notdef, "get the font anew");
+  EXPECT_TRUE(contains(notdef, "a.ttf: glyph 0 (.notdef) cannot be read"));
+  EXPECT_TRUE(contains(notdef, "get the font anew"));
   EXPECT_FALSE(contains(notdef, "leave the character out"));
 }
 
@@ -442,7 +434,8 @@ TEST(FontSource, BearsDamageInGlyphsThatAreNotAskedFor) {
   EXPECT_EQ(font.metrics.cap_height, 0);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, Warning::Kind::measure);
-  EXPECT_CONTAINS(warnings[0].text, "a.ttf: glyph 3 (U+0048 'H') cannot be");
+  EXPECT_TRUE(
+      contains(warnings[0].text, "a.ttf: glyph 3 (U+0048 'H') cannot be"));
 }
 
 TEST(FontSource, ReadsAdvancesOf16Bits) {
@@ -476,8 +469,9 @@ TEST(FontSource, WarnsOfGlyphsThatArePictures) {
             warnings);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, Warning::Kind::no_outline);
-  EXPECT_CONTAINS(warnings[0].text, "a.ttf: 1 glyph is a bitmap or a colour");
-  EXPECT_CONTAINS(warnings[0].text, "empty: U+002A '*'");
+  EXPECT_TRUE(
+      contains(warnings[0].text, "a.ttf: 1 glyph is a bitmap or a colour"));
+  EXPECT_TRUE(contains(warnings[0].text, "empty: U+002A '*'"));
   EXPECT_FALSE(contains(warnings[0].text, "U+0048"));
 }
 
@@ -488,10 +482,11 @@ TEST(FontSource, WarnsOfMissingCharacters) {
             1, warnings);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, Warning::Kind::missing_characters);
-  EXPECT_CONTAINS(warnings[0].text, "a.ttf: 16 characters are not in the font");
-  EXPECT_CONTAINS(warnings[0].text, "U+0409");
+  EXPECT_TRUE(
+      contains(warnings[0].text, "a.ttf: 16 characters are not in the font"));
+  EXPECT_TRUE(contains(warnings[0].text, "U+0409"));
   EXPECT_FALSE(contains(warnings[0].text, "U+040A"));
-  EXPECT_CONTAINS(warnings[0].text, ", ...");
+  EXPECT_TRUE(contains(warnings[0].text, ", ..."));
 }
 
 TEST(FontSource, WarnsOfEmbeddingRestrictions) {
@@ -508,12 +503,12 @@ TEST(FontSource, WarnsOfEmbeddingRestrictions) {
     return warnings[0].text;
   };
   EXPECT_EQ(warning(0), "none");
-  EXPECT_CONTAINS(warning(2), "fsType 2, restricted licence: must not");
-  EXPECT_CONTAINS(warning(4), "preview and print");
-  EXPECT_CONTAINS(warning(8), "editable");
-  EXPECT_CONTAINS(warning(0x100), "no subsetting");
-  EXPECT_CONTAINS(warning(0x208), "editable");
-  EXPECT_CONTAINS(warning(0x208), "bitmap embedding only");
+  EXPECT_TRUE(contains(warning(2), "fsType 2, restricted licence: must not"));
+  EXPECT_TRUE(contains(warning(4), "preview and print"));
+  EXPECT_TRUE(contains(warning(8), "editable"));
+  EXPECT_TRUE(contains(warning(0x100), "no subsetting"));
+  EXPECT_TRUE(contains(warning(0x208), "editable"));
+  EXPECT_TRUE(contains(warning(0x208), "bitmap embedding only"));
 }
 
 }  // namespace

@@ -55,27 +55,24 @@ TEST_F(Icons, WrongFilesAndCodePointsAreExplained) {
   write("a.svg");
   write("b.svg");
   const auto text = [&](const std::vector<std::string>& files) {
-    return refusal([&] { find_icons(files, {}); });
+    return error_of([&] { find_icons(files, {}); });
   };
   for (const char* wrong :
        {"a.svg", "=0xE000", "a.svg=", "a.svg=x1", "a.svg=0x41-0x42"}) {
-    EXPECT_NE(text({wrong}).find("is not FILE=CODE"), std::string::npos);
+    EXPECT_TRUE(contains(text({wrong}), "is not FILE=CODE"));
   }
-  EXPECT_NE(text({"a.svg=0xE000", "b.svg=0xE000"}).find("that of a.svg"),
-            std::string::npos);
-  EXPECT_NE(text({"a.svg=0xE000", "x/a.svg=0xE001"}).find("would be kA"),
-            std::string::npos);
-  EXPECT_NE(text({"a.svg=0x9F"}).find("no printable code point"),
-            std::string::npos);
+  EXPECT_TRUE(
+      contains(text({"a.svg=0xE000", "b.svg=0xE000"}), "that of a.svg"));
+  EXPECT_TRUE(
+      contains(text({"a.svg=0xE000", "x/a.svg=0xE001"}), "would be kA"));
+  EXPECT_TRUE(contains(text({"a.svg=0x9F"}), "no printable code point"));
   const auto folder = [&](const std::filesystem::path& path) {
-    return refusal([&] { find_icons({}, {path}); });
+    return error_of([&] { find_icons({}, {path}); });
   };
-  EXPECT_NE(folder("none").find("is no folder"), std::string::npos);
-  EXPECT_NE(folder(TestFolder().path()).find("holds no file *.svg"),
-            std::string::npos);
+  EXPECT_TRUE(contains(folder("none"), "is no folder"));
+  EXPECT_TRUE(contains(folder(TestFolder().path()), "holds no file *.svg"));
   write("codepoints", "a e000\nb\n");
-  EXPECT_NE(folder(folder_.path()).find("codepoints:2: 'b'"),
-            std::string::npos);
+  EXPECT_TRUE(contains(folder(folder_.path()), "codepoints:2: 'b'"));
 }
 
 struct Placed {
@@ -109,8 +106,8 @@ TEST_F(Icons, LieBesideLettersAsAsked) {
   EXPECT_NEAR(low.box.y1, 1280, 0.01);
   EXPECT_NEAR(placed("1", "bottom").box.y0, 0, 0.01);
   IconPlace place;
-  EXPECT_NE(refusal([&] { parse_icon_height("large", place); }), "no error");
-  EXPECT_NE(refusal([&] { parse_icon_baseline("top", place); }), "no error");
+  EXPECT_NE(error_of([&] { parse_icon_height("large", place); }), "no error");
+  EXPECT_NE(error_of([&] { parse_icon_baseline("top", place); }), "no error");
 }
 
 TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
@@ -120,7 +117,7 @@ TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
   write("torn.svg", "<svg>\n<path");
   write("page.svg", "<html/>");
   const auto text = [&](const std::string& icon) {
-    return refusal([&] {
+    return error_of([&] {
       GenerateRequest request;
       request.font = folder_.write("plain.ttf", Sfnt::plain());
       request.symbols = "H";
@@ -128,16 +125,15 @@ TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
       generate(request);
     });
   };
-  EXPECT_NE(text("none.svg=0xE000").find("add a viewBox"), std::string::npos);
-  EXPECT_NE(text("bad.svg=0xE000").find("a viewBox is four"),
-            std::string::npos);
-  EXPECT_NE(text("torn.svg=0xE000").find("torn.svg: line 2: is no sound XML"),
-            std::string::npos);
-  EXPECT_NE(text("page.svg=0xE000").find("page.svg: has no element <svg>"),
-            std::string::npos);
-  EXPECT_NE(text("gone.svg=0xE000").find("no such file"), std::string::npos);
-  EXPECT_NE(text("size.svg=0x48").find("a character of plain.ttf already"),
-            std::string::npos);
+  EXPECT_TRUE(contains(text("none.svg=0xE000"), "add a viewBox"));
+  EXPECT_TRUE(contains(text("bad.svg=0xE000"), "a viewBox is four"));
+  EXPECT_TRUE(
+      contains(text("torn.svg=0xE000"), "torn.svg: line 2: is no sound XML"));
+  EXPECT_TRUE(
+      contains(text("page.svg=0xE000"), "page.svg: has no element <svg>"));
+  EXPECT_TRUE(contains(text("gone.svg=0xE000"), "no such file"));
+  EXPECT_TRUE(
+      contains(text("size.svg=0x48"), "a character of plain.ttf already"));
   EXPECT_EQ(text("size.svg=0xE000"), "no error");
 }
 
@@ -187,15 +183,15 @@ TEST_F(Icons, HaveConstantsInSource) {
   request.target.max_px = 16;
   const RomFont font = generate(request);
   const std::string hpp = encode(font, OutputFormat::hpp, "ui");
-  EXPECT_NE(hpp.find("namespace ui_icons {\ninline constexpr char kWifiOff[] = "
-                     "\"\\xEE\\x80\\x81\";  // U+E001, wifi-off.svg\n"),
-            std::string::npos)
-      << hpp;
+  EXPECT_TRUE(
+      contains(hpp,
+               "namespace ui_icons {\ninline constexpr char kWifiOff[] = "
+               "\"\\xEE\\x80\\x81\";  // U+E001, wifi-off.svg\n"));
   const std::string macro =
       "#define ui_icons_WifiOff \"\\xEE\\x80\\x81\" /* U+E001, wifi-off.svg "
       "*/\n";
-  EXPECT_NE(encode(font, OutputFormat::c, "ui").find(macro), std::string::npos);
-  EXPECT_NE(encode_c_header(font, "ui").find(macro), std::string::npos);
+  EXPECT_TRUE(contains(encode(font, OutputFormat::c, "ui"), macro));
+  EXPECT_TRUE(contains(encode_c_header(font, "ui"), macro));
 }
 
 }  // namespace

@@ -8,15 +8,11 @@
 
 #include "base/error.hpp"
 #include "files.hpp"
+#include "messages.hpp"
 #include "sfnt_builder.hpp"
 
 namespace inkcell::gen::test {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  const std::vector<uint8_t> bytes = read_file(file);
-  return {bytes.begin(), bytes.end()};
-}
 
 TEST(OutputFile, AppearsWithCommit) {
   const TestFolder folder;
@@ -25,7 +21,7 @@ TEST(OutputFile, AppearsWithCommit) {
   file.write("whole");
   EXPECT_FALSE(std::filesystem::exists(target));
   file.commit();
-  EXPECT_EQ(text_of(target), "whole");
+  EXPECT_EQ(read_text(target), "whole");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"font.bin"}));
 }
 
@@ -37,7 +33,7 @@ TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
     OutputFile file(target);
     file.write("new");
   }
-  EXPECT_EQ(text_of(target), "old");
+  EXPECT_EQ(read_text(target), "old");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"font.bin"}));
 }
 
@@ -68,7 +64,7 @@ TEST(OutputFile, WritesWhereALinkPoints) {
     OutputFile file(folder.path() / "link2");
     file.write(content);
     file.commit();
-    EXPECT_EQ(text_of(there / "font.bin"), content);
+    EXPECT_EQ(read_text(there / "font.bin"), content);
   }
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link2"));
@@ -111,11 +107,10 @@ RomFont small_font() {
 
 TEST(Encode, WritesHeaders) {
   const std::string text = encode(small_font(), OutputFormat::hpp, "odd");
-  EXPECT_NE(text.find("alignas(4) inline constexpr uint8_t odd[4] = {\n"
-                      "0,1,200,255,\n};"),
-            std::string::npos);
-  EXPECT_NE(text.find("static_assert(inkcell::reads_format("),
-            std::string::npos);
+  EXPECT_TRUE(contains(text,
+                       "alignas(4) inline constexpr uint8_t odd[4] = {\n"
+                       "0,1,200,255,\n};"));
+  EXPECT_TRUE(contains(text, "static_assert(inkcell::reads_format("));
   // No text from the font ends the comment.
   EXPECT_EQ(text.find("\n#error"), text.rfind("\n#error \"this font is for"));
   EXPECT_EQ(text.substr(0, 3), "// ");
@@ -123,9 +118,8 @@ TEST(Encode, WritesHeaders) {
 
 TEST(Encode, WritesC) {
   const std::string text = encode(small_font(), OutputFormat::c, "odd");
-  EXPECT_NE(text.find("const uint8_t odd[4] = {\n0,1,200,255,\n};"),
-            std::string::npos);
-  EXPECT_NE(text.find("const uint32_t odd_size = 4;"), std::string::npos);
+  EXPECT_TRUE(contains(text, "const uint8_t odd[4] = {\n0,1,200,255,\n};"));
+  EXPECT_TRUE(contains(text, "const uint32_t odd_size = 4;"));
   EXPECT_EQ(text.find("*/"), text.rfind("*/"));
 }
 

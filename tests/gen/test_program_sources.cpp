@@ -7,12 +7,7 @@
 namespace inkcell::gen::test {
 namespace {
 
-class ProgramSources : public testing::Test {
- protected:
-  ProgramSources() { folder_.write("plain.ttf", Sfnt::plain()); }
-
-  TestFolder folder_;
-};
+using ProgramSources = ProgramTest;
 
 // Two headers and two C sources in one program, each array in its section.
 TEST_F(ProgramSources, PutsArraysIntoSections) {
@@ -21,27 +16,21 @@ TEST_F(ProgramSources, PutsArraysIntoSections) {
         "--format hpp --name b --section .ext_flash.b --out b.hpp",
         "--format c --name c --section .ext_flash --out c.c",
         "--format c --name d --section .ext_flash --out d.c"}) {
-    ASSERT_EQ(
-        run(folder_,
-            std::string("--font plain.ttf --symbols H --quiet ") + options)
-            .code,
-        0)
-        << options;
+    make(std::string("--font plain.ttf --symbols H --quiet ") + options);
   }
-  const auto write = [&](const char* name, const std::string& text) {
-    folder_.write(name, std::vector<uint8_t>(text.begin(), text.end()));
-  };
-  write("one.cpp",
-        "#include \"a.hpp\"\nconst uint8_t* one() { return fonts::a; }\n");
-  write("main.cpp",
-        "#include \"a.hpp\"\n#include \"b.hpp\"\n#include <string.h>\n"
-        "extern \"C\" const uint8_t c[], d[];\n"
-        "const uint8_t* one();\n"
-        "int main() {\n"
-        "  const size_t size = sizeof fonts::a;\n"
-        "  return one() == fonts::a && !memcmp(fonts::a, fonts::b, size) &&\n"
-        "         !memcmp(c, d, size) && !memcmp(c, fonts::b, size) ? 0 : 1;\n"
-        "}\n");
+  folder_.write(
+      "one.cpp",
+      "#include \"a.hpp\"\nconst uint8_t* one() { return fonts::a; }\n");
+  folder_.write(
+      "main.cpp",
+      "#include \"a.hpp\"\n#include \"b.hpp\"\n#include <string.h>\n"
+      "extern \"C\" const uint8_t c[], d[];\n"
+      "const uint8_t* one();\n"
+      "int main() {\n"
+      "  const size_t size = sizeof fonts::a;\n"
+      "  return one() == fonts::a && !memcmp(fonts::a, fonts::b, size) &&\n"
+      "         !memcmp(c, d, size) && !memcmp(c, fonts::b, size) ? 0 : 1;\n"
+      "}\n");
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c c.c d.c && "
@@ -54,62 +43,45 @@ TEST_F(ProgramSources, PutsArraysIntoSections) {
       " one.o main.o c.o d.o -o main && ./main && "
       "objdump -h main >sections";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  const auto text = [&](const char* name) {
-    const std::vector<uint8_t> bytes = read_file(folder_.path() / name);
-    return std::string(bytes.begin(), bytes.end());
-  };
   for (const char* section :
        {".ext_flash.a ", ".ext_flash.b ", ".ext_flash "}) {
-    EXPECT_NE(text("sections").find(section), std::string::npos) << section;
+    EXPECT_TRUE(contains(text_of("sections"), section)) << section;
   }
-  EXPECT_EQ(run(folder_, "--font plain.ttf --out a.bin --section .x").err,
+  EXPECT_EQ(run("--font plain.ttf --out a.bin --section .x").err,
             "error: --section: --format bin has no array; use hpp or c\n");
   for (const char* wrong : {"'a b'", "'a\"'", "'a\\b'", "''"}) {
-    EXPECT_EQ(run(folder_,
-                  std::string("--font plain.ttf --out x.c --section ") + wrong)
-                  .code,
-              1)
+    EXPECT_EQ(
+        run(std::string("--font plain.ttf --out x.c --section ") + wrong).code,
+        1)
         << wrong;
   }
 }
 
 TEST_F(ProgramSources, WritesSeveralFormsAtOnce) {
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --symbols H --name plain --out a.hpp --out "
-                "a.c --header a.h --out a.bin --depfile a.d --quiet")
-                .code,
-            0);
+  make(
+      "--font plain.ttf --symbols H --name plain --out a.hpp --out "
+      "a.c --header a.h --out a.bin --depfile a.d --quiet");
   for (const std::string form : {"hpp", "c", "bin"}) {
-    ASSERT_EQ(run(folder_,
-                  "--font plain.ttf --symbols H --name plain --out "
-                  "alone." +
-                      form + " --quiet")
-                  .code,
-              0);
-    EXPECT_EQ(read_file(folder_.path() / ("a." + form)),
-              read_file(folder_.path() / ("alone." + form)));
+    make(
+        "--font plain.ttf --symbols H --name plain --out "
+        "alone." +
+        form + " --quiet");
+    EXPECT_EQ(bytes_of(("a." + form)), bytes_of(("alone." + form)));
   }
-  const std::vector<uint8_t> rule = read_file(folder_.path() / "a.d");
-  EXPECT_EQ(std::string(rule.begin(), rule.end()).find("a.hpp a.c a.bin: "),
-            0U);
+  EXPECT_TRUE(begins_with(text_of("a.d"), "a.hpp a.c a.bin: "));
   const std::string refused =
-      run(folder_, "--font plain.ttf --out b.c --out b.bin --format c --quiet")
-          .err;
-  EXPECT_NE(refused.find("leave --format out"), std::string::npos) << refused;
+      run("--font plain.ttf --out b.c --out b.bin --format c --quiet").err;
+  EXPECT_TRUE(contains(refused, "leave --format out"));
 }
 
 // All supported compilers accept the generated sources.
 TEST_F(ProgramSources, WritesSourcesThatCompile) {
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --symbols H --format hpp --name plain "
-                "--out plain.hpp --quiet")
-                .code,
-            0);
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --symbols H --format c --name plain_c "
-                "--out plain.c --quiet")
-                .code,
-            0);
+  make(
+      "--font plain.ttf --symbols H --format hpp --name plain "
+      "--out plain.hpp --quiet");
+  make(
+      "--font plain.ttf --symbols H --format c --name plain_c "
+      "--out plain.c --quiet");
   const std::string program =
       "#include \"plain.hpp\"\n#include \"inkcell/font.hpp\"\n"
       "#include <string.h>\n"
@@ -123,8 +95,7 @@ TEST_F(ProgramSources, WritesSourcesThatCompile) {
       "  if (sizeof fonts::plain != plain_c_size) return 2;\n"
       "  return memcmp(fonts::plain, plain_c, plain_c_size) == 0 ? 0 : 3;\n"
       "}\n";
-  folder_.write("main.cpp",
-                std::vector<uint8_t>(program.begin(), program.end()));
+  folder_.write("main.cpp", program);
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
@@ -137,7 +108,7 @@ TEST_F(ProgramSources, WritesSourcesThatCompile) {
 TEST_F(ProgramSources, WritesAFontForStorageAndItsNumbers) {
   const std::string font = "--font plain.ttf --paged 512 --name a --quiet ";
   for (const std::string name : {"a.hpp", "a.h", "a.c"}) {
-    const Outcome result = run(folder_, font + "--out " + name);
+    const Outcome result = run(font + "--out " + name);
     EXPECT_EQ(result.code, 1);
     EXPECT_EQ(result.err,
               "error: " + name +
@@ -146,25 +117,21 @@ TEST_F(ProgramSources, WritesAFontForStorageAndItsNumbers) {
                   "--header a.hpp, or leave --paged out\n");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / name));
   }
-  ASSERT_EQ(run(folder_, font + "--out a.bin --header a.hpp").code, 0);
-  const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.hpp");
-  const std::string header(bytes.begin(), bytes.end());
+  make(font + "--out a.bin --header a.hpp");
+  const std::string header = text_of("a.hpp");
   for (const std::string& line :
        {std::string("namespace a {"),
-        "kFileBytes = " +
-            std::to_string(read_file(folder_.path() / "a.bin").size()) + ";",
+        "kFileBytes = " + std::to_string(bytes_of("a.bin").size()) + ";",
         std::string("kBlockBytes = 512;")}) {
-    EXPECT_NE(header.find(line), std::string::npos) << header;
+    EXPECT_TRUE(contains(header, line));
   }
 }
 
 // A header of C++ that is included in C names the remedy.
 TEST_F(ProgramSources, TellsAProgramInCWhatToMake) {
-  ASSERT_EQ(
-      run(folder_, "--font plain.ttf --symbols H --out plain.h --quiet").code,
-      0);
+  make("--font plain.ttf --symbols H --out plain.h --quiet");
   const std::string line = "#include \"plain.h\"\n";
-  folder_.write("main.c", std::vector<uint8_t>(line.begin(), line.end()));
+  folder_.write("main.c", line);
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && ! cc -fsyntax-only main.c 2>said && "

@@ -2,78 +2,41 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "program_run.hpp"
 
 namespace inkcell::gen::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 constexpr char kSans[] =
     "--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ";
 
-class ProgramTexts : public testing::Test {
- protected:
-  ProgramTexts() { folder_.write("plain.ttf", Sfnt::plain()); }
-
-  void write(const std::string& name, const std::string& text) {
-    std::filesystem::create_directories((folder_.path() / name).parent_path());
-    folder_.write(name, std::vector<uint8_t>(text.begin(), text.end()));
-  }
-  std::string text_of(const std::string& name) const {
-    const std::vector<uint8_t> bytes = read_file(folder_.path() / name);
-    return {bytes.begin(), bytes.end()};
-  }
-  nlohmann::json report() const {
-    return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
-  }
-  // Fails with this message and leaves no files.
-  void check_refused(const std::string& arguments, const std::string& said) {
-    const Names before = folder_.names();
-    const Outcome result = run(folder_, arguments);
-    EXPECT_EQ(result.code, 1) << arguments;
-    EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
-    // Messages of work that has begun may come before.
-    EXPECT_NE(("\n" + result.err).find("\nerror: "), std::string::npos)
-        << result.err;
-    EXPECT_EQ(folder_.names(), before) << arguments;
-  }
-
-  TestFolder folder_;
-};
+using ProgramTexts = ProgramTest;
 
 TEST_F(ProgramTexts, TakesCharactersOfSources) {
-  write("src/a.c", "f(\"H\"); // .\n");
-  write("src/sub/b.cpp", "g(u8\"\\x2e\", 'x');");
-  write("src/sub/c.txt", "\"no\"");
+  folder_.write("src/a.c", "f(\"H\"); // .\n");
+  folder_.write("src/sub/b.cpp", "g(u8\"\\x2e\", 'x');");
+  folder_.write("src/sub/c.txt", "\"no\"");
   const std::string out = "--font plain.ttf --out a.bin --report a.json ";
-  ASSERT_EQ(run(folder_, out + "--strings-from 'src/**/*.c*' --strict --quiet "
-                               "--depfile a.d")
-                .code,
-            0);
-  EXPECT_EQ(report().at("characters"), 3);  // with a space
+  make(out +
+       "--strings-from 'src/**/*.c*' --strict --quiet "
+       "--depfile a.d");
+  EXPECT_EQ(read_report().at("characters"), 3);  // with a space
   const std::string folder = folder_.path().string();
-  EXPECT_EQ(text_of("a.d").find("a.bin: " + folder + "/plain.ttf " + folder +
-                                "/src/a.c " + folder + "/src/sub/b.cpp\n"),
-            0U);
+  EXPECT_TRUE(begins_with(text_of("a.d"), "a.bin: " + folder + "/plain.ttf " +
+                                              folder + "/src/a.c " + folder +
+                                              "/src/sub/b.cpp\n"));
   // A shell expands a pattern to several files.
-  ASSERT_EQ(
-      run(folder_, out + "--strings-from src/a.c src/sub/b.cpp --quiet").code,
-      0);
-  EXPECT_EQ(report().at("characters"), 3);
-  ASSERT_EQ(
-      run(folder_, out + "--strings-from src/a.c --quiet --no-layout-glyphs")
-          .code,
-      0);
-  EXPECT_EQ(report().at("characters"), 2);
+  make(out + "--strings-from src/a.c src/sub/b.cpp --quiet");
+  EXPECT_EQ(read_report().at("characters"), 3);
+  make(out + "--strings-from src/a.c --quiet --no-layout-glyphs");
+  EXPECT_EQ(read_report().at("characters"), 2);
 }
 
 TEST_F(ProgramTexts, TellsWhatNeedsShapingAndIsNot) {
   const std::string out = "--font plain.ttf --out a.hpp --quiet ";
   const auto said = [&](const std::string& options) {
-    const std::string err = run(folder_, out + options).err;
+    const std::string err = run(out + options).err;
     const size_t first = err.find(" is drawn unshaped, from ");
     const size_t end = err.find(" on: ", first);
     return first == std::string::npos
@@ -81,10 +44,10 @@ TEST_F(ProgramTexts, TellsWhatNeedsShapingAndIsNot) {
                : err.substr(err.rfind('\n', first) + 1,
                             end - err.rfind('\n', first) - 1);
   };
-  write("plain.txt", "H\n\n.\n");
-  write("arabic.txt", "H\n\nH \u0633.\n");
-  write("a.c", "f(\"H\");\ng(\"\u0928\u092e\u0938\u094d\");\n");
-  write("ui.txt", "title = \u0633H\n");
+  folder_.write("plain.txt", "H\n\n.\n");
+  folder_.write("arabic.txt", "H\n\nH \u0633.\n");
+  folder_.write("a.c", "f(\"H\");\ng(\"\u0928\u092e\u0938\u094d\");\n");
+  folder_.write("ui.txt", "title = \u0633H\n");
   EXPECT_EQ(said("--text-file plain.txt"), "");
   EXPECT_EQ(said("--text-file plain.txt --text-file arabic.txt"),
             "warning: arabic.txt:3: Arabic is drawn unshaped, from U+0633 "
@@ -101,28 +64,25 @@ TEST_F(ProgramTexts, TellsWhatNeedsShapingAndIsNot) {
 
 TEST_F(ProgramTexts, TakesNamedSets) {
   const std::string out = "--font plain.ttf --out a.bin --quiet ";
-  EXPECT_EQ(run(folder_, out + "--set ascii --set greek,cyrillic").code, 0);
-  const std::string strict = run(folder_, out + "--set ascii --strict").err;
-  EXPECT_NE(strict.find("\n  --set: U+0021 '!'\n"), std::string::npos)
-      << strict;
-  const std::string unknown = run(folder_, out + "--set ascii,latin1").err;
-  EXPECT_EQ(unknown.find("error: --set: 'latin1' is not known; there are "
-                         "ascii, latin-1, "),
-            0u)
-      << unknown;
+  make(out + "--set ascii --set greek,cyrillic");
+  const std::string strict = run(out + "--set ascii --strict").err;
+  EXPECT_TRUE(contains(strict, "\n  --set: U+0021 '!'\n"));
+  const std::string unknown = run(out + "--set ascii,latin1").err;
+  EXPECT_TRUE(begins_with(unknown,
+                          "error: --set: 'latin1' is not known; there are "
+                          "ascii, latin-1, "));
 }
 
 TEST_F(ProgramTexts, SaysWhatLanguagesCost) {
-  write("po/de.po", "msgid \"x\"\nmsgstr \"Aä\"\n");
-  write("po/pl.po",
-        "msgid \"x\"\nmsgstr \"Ał\"\n\nmsgid \"y\"\n"
-        "msgstr \"B中\"\n");
-  write("a.c", "f(\"B\");\n");
+  folder_.write("po/de.po", "msgid \"x\"\nmsgstr \"Aä\"\n");
+  folder_.write("po/pl.po",
+                "msgid \"x\"\nmsgstr \"Ał\"\n\nmsgid \"y\"\n"
+                "msgstr \"B中\"\n");
+  folder_.write("a.c", "f(\"B\");\n");
   const Outcome result =
-      run(folder_, kSans + std::string("--strings-from 'po/*.po' a.c "
-                                       "--out a.bin --report a.json"));
-  ASSERT_EQ(result.code, 0) << result.err;
-  const nlohmann::json json = report();
+      make(kSans + std::string("--strings-from 'po/*.po' a.c "
+                               "--out a.bin --report a.json"));
+  const nlohmann::json json = read_report();
   const auto bytes = [&json](const std::string& glyphs) {
     size_t sum = 0;
     for (const char c : glyphs) {
@@ -144,65 +104,60 @@ TEST_F(ProgramTexts, SaysWhatLanguagesCost) {
                                      {"bytes", bytes("ABl")},
                                      {"bytes_alone", bytes("l")}}}};
   EXPECT_EQ(json.at("languages"), expected);
-  EXPECT_NE(result.out.find("language        de: 2 characters, " +
-                            std::to_string(bytes("Aa")) + " bytes of glyphs, " +
-                            std::to_string(bytes("a")) + " for it alone\n"),
-            std::string::npos)
-      << result.out;
-  EXPECT_NE(result.out.find("for it alone; 1 missing\n"), std::string::npos);
+  EXPECT_TRUE(contains(result.out,
+                       "language        de: 2 characters, " +
+                           std::to_string(bytes("Aa")) + " bytes of glyphs, " +
+                           std::to_string(bytes("a")) + " for it alone\n"));
+  EXPECT_TRUE(contains(result.out, "for it alone; 1 missing\n"));
   check_refused(kSans + std::string("--strings-from 'po/*.po' --out b.bin "
                                     "--strict"),
                 "  po/pl.po:5: U+4E2D '中'\n");
 }
 
 TEST_F(ProgramTexts, TakesTheGlyphsOfStringsAlone) {
-  write("ui.txt", "fi = fi\nlam_alef [ar] = \u0644\u0627\n");
-  ASSERT_EQ(run(folder_, kSans + std::string("--strings ui.txt --name ui "
-                                             "--out a.hpp --report a.json "
-                                             "--strict --quiet"))
-                .code,
-            0);
+  folder_.write("ui.txt", "fi = fi\nlam_alef [ar] = \u0644\u0627\n");
+  make(kSans + std::string("--strings ui.txt --name ui "
+                           "--out a.hpp --report a.json "
+                           "--strict --quiet"));
   // .notdef and two ligatures, which have no character in the text.
-  EXPECT_EQ(report().at("glyphs"), 3);
-  EXPECT_EQ(report().at("characters"), 0);
-  EXPECT_EQ(report().at("bytes").at("kerning"), 0);
+  EXPECT_EQ(read_report().at("glyphs"), 3);
+  EXPECT_EQ(read_report().at("characters"), 0);
+  EXPECT_EQ(read_report().at("bytes").at("kerning"), 0);
   const std::string text = text_of("a.hpp");
-  EXPECT_NE(text.find("namespace ui_strings {"), std::string::npos);
-  EXPECT_NE(text.find("ShapedGlyph fi[1] = {"), std::string::npos);
-  EXPECT_NE(text.find("ShapedRun lam_alef = {\n    ui_glyphs::lam_alef, "),
-            std::string::npos);
+  EXPECT_TRUE(contains(text, "namespace ui_strings {"));
+  EXPECT_TRUE(contains(text, "ShapedGlyph fi[1] = {"));
+  EXPECT_TRUE(
+      contains(text, "ShapedRun lam_alef = {\n    ui_glyphs::lam_alef, "));
 }
 
 TEST_F(ProgramTexts, KeepsCodePointsOfPlainGlyphs) {
-  write("ui.txt", "a = AV\nb = V fi\n");
+  folder_.write("ui.txt", "a = AV\nb = V fi\n");
   const std::string out = "--strings ui.txt --out a.c --report a.json --quiet ";
-  ASSERT_EQ(run(folder_, kSans + out).code, 0);
-  EXPECT_EQ(report().at("characters"), 2);
-  EXPECT_EQ(report().at("glyphs"), 4);
-  EXPECT_EQ(report().at("bytes").at("kerning"), 0);
+  make(kSans + out);
+  EXPECT_EQ(read_report().at("characters"), 2);
+  EXPECT_EQ(read_report().at("glyphs"), 4);
+  EXPECT_EQ(read_report().at("bytes").at("kerning"), 0);
   // Characters that are asked for kern, those of strings alone do not.
-  ASSERT_EQ(run(folder_, kSans + out + "--symbols AV").code, 0);
-  EXPECT_EQ(report().at("characters"), 5);
-  EXPECT_NE(report().at("bytes").at("kerning"), 0);
+  make(kSans + out + "--symbols AV");
+  EXPECT_EQ(read_report().at("characters"), 5);
+  EXPECT_NE(read_report().at("bytes").at("kerning"), 0);
 }
 
 TEST_F(ProgramTexts, IsTheSameEveryTime) {
-  write("ui.txt", "a = Office\nb [ar] = \u0633\u0644\u0627\u0645\n");
+  folder_.write("ui.txt", "a = Office\nb [ar] = \u0633\u0644\u0627\u0645\n");
   for (const char* threads : {"1", "4"}) {
-    ASSERT_EQ(run(folder_, kSans +
-                               std::string("--strings ui.txt --quiet "
-                                           "--name ui --threads ") +
-                               threads + " --out " + threads + ".hpp")
-                  .code,
-              0);
+    make(kSans +
+         std::string("--strings ui.txt --quiet "
+                     "--name ui --threads ") +
+         threads + " --out " + threads + ".hpp");
   }
   EXPECT_EQ(text_of("1.hpp"), text_of("4.hpp"));
 }
 
 TEST_F(ProgramTexts, WarnsOrFailsForMissingCharacters) {
-  write("ui.txt", "# one\na = H\nb = H\u4e2d\n");
-  write("m.c", "f(\"H\");\nf(\"H\"\n  \"\u4e00\");\n");
-  write("t.txt", "H.\n\u4e03");
+  folder_.write("ui.txt", "# one\na = H\nb = H\u4e2d\n");
+  folder_.write("m.c", "f(\"H\");\nf(\"H\"\n  \"\u4e00\");\n");
+  folder_.write("t.txt", "H.\n\u4e03");
   const struct {
     const char* options;
     const char* place;
@@ -218,24 +173,23 @@ TEST_F(ProgramTexts, WarnsOrFailsForMissingCharacters) {
     check_refused(options + " --strict",
                   "plain.ttf: 1 character is not in the font:\n" +
                       std::string(wrong.place) + "use a font that has them");
-    const Outcome result = run(folder_, options);
-    EXPECT_EQ(result.code, 0) << options;
-    EXPECT_EQ(result.err.find("warning: plain.ttf: 1 character is not in"), 0u)
-        << result.err;
+    const Outcome result = make(options);
+    EXPECT_TRUE(
+        begins_with(result.err, "warning: plain.ttf: 1 character is not in"));
     std::filesystem::remove(folder_.path() / "a");
   }
   check_refused("--font plain.ttf --out a --strict", "  ...\nuse a font");
 }
 
 TEST_F(ProgramTexts, RefusesWhatCannotBe) {
-  write("ui.txt", "a = H\n");
-  write("empty.txt", "# nothing\n");
-  write("wrong.txt", "a = H\nb\n");
-  write("far.txt", "a = H" + std::string(200, ' ') + "H\n");
-  write("lost.txt", "a = \u4e2d\n");
-  write("latin.c", "f(\"\xfc\");");
-  write("number.c", "int a;");
-  write("a.json", "{");
+  folder_.write("ui.txt", "a = H\n");
+  folder_.write("empty.txt", "# nothing\n");
+  folder_.write("wrong.txt", "a = H\nb\n");
+  folder_.write("far.txt", "a = H" + std::string(200, ' ') + "H\n");
+  folder_.write("lost.txt", "a = \u4e2d\n");
+  folder_.write("latin.c", "f(\"\xfc\");");
+  folder_.write("number.c", "int a;");
+  folder_.write("a.json", "{");
   const std::string out = "--font plain.ttf --out a.hpp ";
   check_refused(out + "--strings none.txt",
                 "none.txt: cannot be read; check the --strings");

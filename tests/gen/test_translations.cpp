@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "messages.hpp"
 #include "sfnt_builder.hpp"
 #include "source/char_set.hpp"
 #include "texts/language_name.hpp"
@@ -18,9 +19,7 @@ class Translations : public testing::Test {
  protected:
   std::vector<LanguageText> read(const std::string& name,
                                  const std::string& content) {
-    std::filesystem::create_directories((folder_.path() / name).parent_path());
-    folder_.write(name, {content.begin(), content.end()});
-    return shown_texts(folder_.path() / name, "--strings-from");
+    return shown_texts(folder_.write(name, content), "--strings-from");
   }
   // The text of each language.
   Texts texts(const std::string& name, const std::string& content) {
@@ -34,19 +33,14 @@ class Translations : public testing::Test {
   }
   // The error of a file, without its folder.
   std::string refusal(const std::string& name, const std::string& content) {
-    try {
-      read(name, content);
-    } catch (const Error& error) {
-      return std::string(error.what())
-          .substr(folder_.path().string().size() + 1);
-    }
-    return "no error";
+    const std::string said = error_of([&] { read(name, content); });
+    const std::string folder = folder_.path().string() + "/";
+    return begins_with(said, folder) ? said.substr(folder.size()) : said;
   }
   void check_refused(const std::string& name,
                      const std::string& content,
                      const std::string& said) {
-    EXPECT_EQ(refusal(name, content).find(name + ":" + said), 0u)
-        << refusal(name, content);
+    EXPECT_TRUE(begins_with(refusal(name, content), name + ":" + said));
   }
 
   TestFolder folder_;
