@@ -161,6 +161,15 @@ TEST(one_strip_is_drawn_while_the_other_is_sent) {
   CHECK(single.made("dfw"));
 }
 
+TEST(a_transfer_from_one_buffer_ends_before_the_next_strip) {
+  Screen screen;
+  StripLoop loop = screen.double_loop(50, 15);
+  loop.second = {};
+  CHECK_OK(run_strips(loop));
+  CHECK(screen.made("dfwdfwdfwdfw"));
+  screen.check_shown({0, 0, kWidth, 50});
+}
+
 TEST(a_part_alone_is_drawn_and_sent) {
   for (int32_t is_double = 0; is_double < 2; ++is_double) {
     Screen screen;

@@ -80,8 +80,12 @@ Status run_strips(const StripLoop& loop, const Rect& part) noexcept {
     }
     if (status == Status::ok) {
       status = loop.flush(loop.display, strip);
-      is_sending = is_double && status == Status::ok;
-      is_second = is_sending && !is_second;
+      is_sending = loop.wait != nullptr && status == Status::ok;
+      is_second = is_double && !is_second;
+      if (is_sending && !is_double) {
+        status = loop.wait(loop.display);
+        is_sending = false;
+      }
     }
   }
   return is_sending ? loop.wait(loop.display) : status;

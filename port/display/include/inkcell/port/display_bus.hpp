@@ -32,7 +32,7 @@ struct DisplayBus {
   /// any function here waits for the end. If null, data() sends them.
   void (*start)(void* context, const uint8_t* bytes, size_t count) = nullptr;
   /// Returns when the transfer that start() began has ended, at once if there
-  /// is none. Needed with a second buffer (strip_loop.hpp).
+  /// is none. Needed with start() and with a second buffer (strip_loop.hpp).
   void (*wait_sent)(void* context) = nullptr;
   /// Optional: pulses the reset line, and returns when the controller accepts
   /// commands. Null if there is no line, or the board resets it.

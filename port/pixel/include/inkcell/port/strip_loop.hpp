@@ -47,7 +47,8 @@ struct StripLoop {
   void* display = nullptr;
   /// Sends the strip to its place on the screen.
   Status (*flush)(void* display, const Strip& strip) = nullptr;
-  /// Needed with a second buffer: returns when no transfer is under way.
+  /// Returns when no transfer is under way. Needed with a second buffer; with
+  /// one, it is called after each flush() unless null.
   Status (*wait)(void* display) = nullptr;
 };
 
