@@ -9,8 +9,7 @@
 
 #include "twins.hpp"
 
-namespace inkcell {
-namespace c {
+namespace inkcell::c {
 
 template <typename C>
 struct CppOf<const C> {
@@ -155,8 +154,7 @@ static Status make_sink(Target* target, inkcell_sink_t* out) noexcept {
                                        *cpp(out));
 }
 
-}  // namespace c
-}  // namespace inkcell
+}  // namespace inkcell::c
 
 inline void* operator new(size_t, inkcell::c::Place place) noexcept {
   return place.memory;

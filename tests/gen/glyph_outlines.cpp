@@ -7,8 +7,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -138,5 +137,4 @@ Contour circle(double x, double y, double radius) {
 }
 
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

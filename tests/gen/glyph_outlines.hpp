@@ -8,8 +8,7 @@
 
 #include "shape/outline.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 
 inline constexpr char kDejaVuSans[] =
@@ -49,5 +48,4 @@ Contour rectangle(double x0, double y0, double x1, double y1);
 Contour circle(double x, double y, double radius);
 
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

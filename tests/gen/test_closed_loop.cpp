@@ -16,8 +16,7 @@
 #include "judge/canvas.hpp"
 #include "shape/distance_map.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -487,5 +486,4 @@ TEST(DistanceMap, HoldsTheDistancesOfTheShape) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

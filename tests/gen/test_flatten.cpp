@@ -9,8 +9,7 @@
 #include "glyph_outlines.hpp"
 #include "shape/flatten.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -114,5 +113,4 @@ TEST(Flatten, RefusesCoordinatesThatAreNone) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

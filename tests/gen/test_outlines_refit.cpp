@@ -12,8 +12,7 @@
 #include "shape/points.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -346,5 +345,4 @@ TEST(Refit, CareIsLocal) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

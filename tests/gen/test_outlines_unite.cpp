@@ -10,8 +10,7 @@
 #include "shape/flatten.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -269,5 +268,4 @@ TEST(Unite, GlyphsOfFonts) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -4,8 +4,7 @@
 #include "field/paper_counts.hpp"
 #include "glyph_outlines.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -82,5 +81,4 @@ TEST(PaperCounts, NothingNeedsNoCells) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

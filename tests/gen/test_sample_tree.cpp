@@ -11,8 +11,7 @@
 #include "inkcell/field/cell.hpp"
 #include "inkcell/field/glyph_field.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -405,5 +404,4 @@ TEST(Adf, FixedPredicateNeedsThePapersCells) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

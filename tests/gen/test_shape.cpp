@@ -11,8 +11,7 @@
 #include "shape/neighbourhood.hpp"
 #include "shape/shape.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -344,5 +343,4 @@ TEST(Neighbourhood, ClearanceIsZeroWhereTheEdgePasses) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen

@@ -10,8 +10,7 @@
 
 #include "glyph_outlines.hpp"
 
-namespace inkcell {
-namespace gen {
+namespace inkcell::gen {
 namespace test {
 namespace {
 
@@ -141,5 +140,4 @@ TEST(TruePictures, AreTheSameWhenAskedAgain) {
 
 }  // namespace
 }  // namespace test
-}  // namespace gen
-}  // namespace inkcell
+}  // namespace inkcell::gen
