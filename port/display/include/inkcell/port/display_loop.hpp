@@ -12,7 +12,8 @@ namespace inkcell::port {
 /// which has a driver in this folder. `context` and `draw` are left to set, and
 /// `flush` for e-paper, which refreshes. The display must outlive the loop.
 ///
-/// With a second buffer the bus needs `start` and `wait_sent`.
+/// With a second buffer the bus needs `start` and `wait_sent`; with one both,
+/// or neither.
 template <typename Display>
 StripLoop loop_over(Display& display,
                     Span<uint8_t> buffer,

@@ -62,15 +62,17 @@ constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
       return 2;
     case PixelFormat::grey4:
       return 4;
+    case PixelFormat::a8:
+    case PixelFormat::grey8:
+      return 8;
     case PixelFormat::rgb565:
       return 16;
     case PixelFormat::rgb888:
       return 24;
     case PixelFormat::xrgb8888:
       return 32;
-    default:
-      return 8;
   }
+  return 8;  // of what is no format
 }
 
 /// The longest side of a strip. [px]

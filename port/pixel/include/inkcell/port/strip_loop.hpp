@@ -47,8 +47,8 @@ struct StripLoop {
   void* display = nullptr;
   /// Sends the strip to its place on the screen.
   Status (*flush)(void* display, const Strip& strip) = nullptr;
-  /// Returns when no transfer is under way. Needed with a second buffer; with
-  /// one, it is called after each flush() unless null.
+  /// Returns when no transfer is under way. Needed with a second buffer, and if
+  /// flush() returns before the strip is sent.
   Status (*wait)(void* display) = nullptr;
 };
 
