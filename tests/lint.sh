@@ -18,7 +18,7 @@ code=0
 run-clang-tidy -quiet -p build/alone '/(core|port|fonts_gen)/.*\.cpp$' \
   2>build/tests/clang-tidy.err || code=1
 includes=$(ls -d core/include core/src core/*/include core/*/src \
-  port/*/include build/alone/port/c/include \
+  port/*/include build/alone/inkcell/port/c/include \
   fonts_gen/src fonts_gen/include 2>/dev/null | sed 's/^/-I/')
 # Right shifts of negative numbers floor, as fixed.hpp asserts; products of 64 bits
 # are taken for ones of 32. Members that are arrays, those of aggregates that are
@@ -30,6 +30,7 @@ cppcheck $(printf -- '--suppress=%s ' $false_kinds) --std=c++17 --language=c++ \
   --inline-suppr --quiet -j "$(nproc)" \
   --enable=warning,performance,portability --error-exitcode=1 \
   --template='{file}:{line}: {id}: {message}' $includes \
-  core port/pixel/src port/display/src build/alone/port/c/src port/lvgl/src fonts_gen/src ||
+  core port/pixel/src port/display/src build/alone/inkcell/port/c/src port/lvgl/src \
+  fonts_gen/src ||
   code=1
 exit $code

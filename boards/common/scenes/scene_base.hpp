@@ -1,4 +1,4 @@
-// What scenes share that are no TextScene.
+// The base of scenes other than TextScene.
 #pragma once
 
 #include <stdint.h>

@@ -17,7 +17,7 @@ enum class [[nodiscard]] Status : uint8_t {
   no_glyph      = 4,   // code point or glyph id absent; .notdef is glyph 0
   buffer_small  = 5,   // shorter than the minimum that the call states
   misaligned    = 6,   // a font, or pixels kept as words: not a multiple of 4
-  unsupported   = 7,   // that the font lacks, or a coding not named
+  unsupported   = 7,   // a section that the font lacks, a coding not named
   bad_argument  = 8,   // outside the range that the call states
   beyond_band   = 9,   // farther than the font's distances reach: --band-px
   read_failed   = 10,  // the storage of a font did not give its bytes

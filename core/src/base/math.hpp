@@ -54,8 +54,8 @@ inline int32_t rough_length(int32_t x, int32_t y) noexcept {
   return max(a, b) + (min(a, b) * 3 >> 3);
 }
 
-// That of a vector of components >= 0, within 3 %: max(m, 7/8 m + n / 2) with
-// m >= n.
+// The length of a vector of components >= 0, within 3 %: max(m, 7/8 m + n / 2)
+// with m >= n.
 inline int32_t near_length(int32_t x, int32_t y) noexcept {
   const int32_t most = max(x, y);
   return max(most, most - (most >> 3) + (min(x, y) >> 1));

@@ -55,8 +55,9 @@ class AcrossFit {
     // The left column is free in all glyphs but those that overhang.
     const int32_t before = least_room(left_.designed, kPx);
     const bool is_symmetric = hints.is_symmetric();
-    const int32_t most = max(whole - before - least_room(right_.designed, 0),
-                             least_ink(is_symmetric, right_u - left_u));
+    const int32_t after = least_room(right_.designed, 0);
+    const int32_t most =
+        max(whole - before - after, least_ink(is_symmetric, right_u - left_u));
     int32_t total = 0;
     if (is_stemless) {
       total = whole_ink(is_symmetric, most);
@@ -73,7 +74,7 @@ class AcrossFit {
     const int32_t free = whole - total;
     const int32_t middle =
         round_px(((free + left_.designed - right_.designed) >> 1) - kPx / 4);
-    const int32_t last = free - least_room(right_.designed, 0);
+    const int32_t last = free - after;
     left_.fitted = max(min(middle, last), min(before, max(last, 0)));
     right_.fitted = free - left_.fitted;
     stems_[0].gap = left_.fitted;
