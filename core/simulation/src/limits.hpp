@@ -1,5 +1,6 @@
-// Functions of base and motion that sources of this room call without a namespace:
-// minimum, maximum, absolute value, clamps, lengths, and all of motion.
+// Functions of base and motion that sources of this room call without a
+// namespace: minimum, maximum, absolute value, clamps, lengths, and all of
+// motion.
 #pragma once
 
 #include <stdint.h>
