@@ -356,10 +356,8 @@ def tests_evidence(host):
                 for test in json.loads(tests)["tests"]}
     script = ROOT / "tests/run.sh"
     # With --here the first needs nothing, and says what it lacks; a folder that
-    # the second made is used where a variable names it; the third knows packages of
-    # its own, of which the tests need no file.
-    optional = {ROOT / "tests" / "web.sh", ROOT / "fonts_gen/web" / "build.sh",
-                ROOT / "tests" / "fonts" / "spacing.py"}
+    # the second made is used where a variable names it.
+    optional = {ROOT / "tests" / "web.sh", ROOT / "fonts_gen/web" / "build.sh"}
     scripts = [script, *scripts_from([script.read_text(), *commands.values()],
                                      modules=True, without=optional)]
     found.add_scripts(scripts)
