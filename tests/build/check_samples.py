@@ -25,7 +25,8 @@ def check_sample(name, work, build):
     folder = SAMPLES[name]
     program = work / name
     result = run(["g++", "-std=gnu++17", "-Wall", "-Wextra", "-Werror",
-                  f"-I{work}", f"-I{folder}", f"-I{HERE / name / 'played'}",
+                  f"-I{work}", f"-I{folder}", f"-I{HERE}",
+                  f"-I{HERE / name / 'played'}",
                   *INCLUDES, f"-I{ROOT / 'boards/common'}", HERE / name / "run.cpp",
                   *archives(build), "-o", program])
     if result.returncode == 0:

@@ -4,18 +4,14 @@
 #include <esp_lcd_panel_vendor.h>
 #include <freertos/semphr.h>
 #include <freertos/task.h>
-#include <stdio.h>
-
-static int round_number = 0;
 
 #include "main.cpp"
+#include "panel.hpp"
 
-static uint16_t panel[240 * 240], wanted[240 * 240];
 static esp_lcd_panel_io_spi_config_t wires;
 static int waiting[4];
 static const uint8_t* late = nullptr;
 static int given = 0;
-static int pixels_sent = 0;
 
 struct semaphore_t {
   int unused;
@@ -91,26 +87,10 @@ esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t,
 }
 
 void vTaskDelay(TickType_t) {
-  Screen screen;
-  const bool is_open = Font::open(fonts::room, screen.font) == Status::ok;
-  screen.value = read_temperature();
-  Strip whole = {
-      {reinterpret_cast<uint8_t*>(wanted), sizeof wanted}, 0, 0, 240, 240, 480};
-  static_cast<void>(draw(&screen, whole));
-  int others = 0;
-  int inked = 0;
-  for (int i = 0; i < 240 * 240; ++i) {
-    others += panel[i] != wanted[i];
-    inked += wanted[i] != kPaper;
-  }
-  printf("%d pixels sent, %d with ink, %d differ\n", pixels_sent, inked,
-         others);
-  if (!is_open || others != 0 || inked < 1000 || late != nullptr) {
+  if (late != nullptr) {
     exit(1);
   }
-  if (++round_number == 2) {
-    exit(pixels_sent > 240 * 240 + 240 * 240 / 3);
-  }
+  check_round();
 }
 
 int main() {
