@@ -4,13 +4,12 @@
 
 #include <stdint.h>
 
-#include "check.hpp"
+#include "check_hash.hpp"
 #include "expected_motion.hpp"
 #include "fonts.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "paper.hpp"
-#include "sha256.hpp"
 
 namespace golden {
 
@@ -65,14 +64,6 @@ void add_frame(Scene& scene, int32_t rows, Sha256& sha) {
   }
 }
 
-inline bool equal(const char* a, const char* b) {
-  while (*a != '\0' && *a == *b) {
-    ++a;
-    ++b;
-  }
-  return *a == *b;
-}
-
 template <typename Scene>
 void check_played(const char* name, Scene& scene, const char* expected) {
   CHECK_OK(scene.open());
@@ -81,13 +72,7 @@ void check_played(const char* name, Scene& scene, const char* expected) {
     scene.set_frame(i);
     add_frame(scene, kRows, sha);
   }
-  char hex[65];
-  sha.finish().to_hex(hex);
-  check::write(hex);
-  check::write("  ");
-  check::write(name);
-  check::write("\n");
-  CHECK(equal(hex, expected));
+  check_hash(name, sha, expected);
 }
 
 // Some frames on the way, and the same ones in another order, from a scene that
@@ -120,6 +105,24 @@ void check_sought(Scene& scene) {
     sha.finish().to_hex(hex);
     CHECK(equal(hex, first[i]));
   }
+}
+
+// Plays a scene.
+template <typename Scene>
+void check_played_scene(const char* name, Text text, const char* expected) {
+  static Scene scene({&golden_font(), text, kWidth, kHeight, {}});
+  check_played(name, scene, expected);
+}
+
+// Plays a scene, and seeks in it.
+template <typename Scene>
+void check_scene(const char* name,
+                 Text text,
+                 const char* expected,
+                 const scenes::SceneMemory& memory = {}) {
+  static Scene scene({&golden_font(), text, kWidth, kHeight, memory});
+  check_played(name, scene, expected);
+  check_sought(scene);
 }
 
 }  // namespace golden

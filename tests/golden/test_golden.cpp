@@ -1,11 +1,10 @@
 // The test sheet has one SHA-256, on every machine.
-#include "check.hpp"
+#include "check_hash.hpp"
 #include "expected.hpp"
 #include "fonts.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/font.hpp"
-#include "sha256.hpp"
 #include "sheet.hpp"
 
 namespace {
@@ -41,34 +40,10 @@ void add_strip(void* context, const Strip& strip) {
   hashes.sheet->add(bytes);
 }
 
-bool equal(const char* a, const char* b) {
-  while (*a != '\0' && *a == *b) {
-    ++a;
-    ++b;
-  }
-  return *a == *b;
-}
-
-void print_hash(const char* name, const char* hash) {
-  check::write(hash);
-  check::write("  ");
-  check::write(name);
-  check::write("\n");
-}
-
-void check_hash(const char* name, Sha256& sha, const char* expected) {
-  char hex[65];
-  sha.finish().to_hex(hex);
-  print_hash(name, hex);
-  CHECK(equal(hex, expected));
-}
-
 void check_known(Span<const uint8_t> bytes, const char* expected) {
   Sha256 sha;
   sha.add(bytes);
-  char hex[65];
-  sha.finish().to_hex(hex);
-  CHECK(equal(hex, expected));
+  check_hash(nullptr, sha, expected);
 }
 
 }  // namespace
@@ -120,9 +95,7 @@ TEST(the_sheet_is_the_same_in_any_strips) {
       Sha256 sheet;
       Hashes hashes = {{}, &sheet, &page(i)};
       CHECK(draw_page(i, rows, large, add_strip, &hashes));
-      char hex[65];
-      hashes.page.finish().to_hex(hex);
-      CHECK(equal(hex, kPageHashes[i]));
+      check_hash(nullptr, hashes.page, kPageHashes[i]);
     }
   }
 }

@@ -38,46 +38,36 @@ static_assert(kOffsets.particles <= kParticles.particles, "there is room");
 simulation::Particle particles[kParticles.particles];
 simulation::ParticleHome homes[kParticles.homes];
 
-scenes::SceneSetting setting_of(Text text) {
-  return {&golden_font(), text, kWidth, kHeight, {grid, particles, homes}};
-}
-
 }  // namespace
 
 #ifndef INKCELL_SMALL_RAM
 TEST(figure13_has_one_hash) {
-  static scenes::BodyScene scene(setting_of("Inkcel"));
-  check_played("figure13", scene, kFigure13Hash);
-  check_sought(scene);
+  check_scene<scenes::BodyScene>("figure13", "Inkcel", kFigure13Hash,
+                                 {grid, particles, homes});
 }
 
 TEST(figure14_has_one_hash) {
-  static scenes::OffsetScene scene(setting_of("Ink"));
-  check_played("figure14", scene, kFigure14Hash);
-  check_sought(scene);
+  check_scene<scenes::OffsetScene>("figure14", "Ink", kFigure14Hash,
+                                   {grid, particles, homes});
 }
 
 TEST(melt_has_one_hash) {
-  static scenes::MeltScene scene(setting_of("Ink cel"));
-  check_played("melt", scene, kMeltHash);
-  check_sought(scene);
+  check_scene<scenes::MeltScene>("melt", "Ink cel", kMeltHash,
+                                 {grid, particles, homes});
 }
 
 TEST(figure15_has_one_hash) {
-  static scenes::VortexScene scene(setting_of("e"));
-  check_played("figure15", scene, kFigure15Hash);
-  check_sought(scene);
+  check_scene<scenes::VortexScene>("figure15", "e", kFigure15Hash,
+                                   {grid, particles, homes});
 }
 #endif
 
 TEST(print_has_one_hash) {
-  static scenes::PrintScene scene(setting_of("Ie"));
-  check_played("print", scene, kPrintHash);
-  check_sought(scene);
+  check_scene<scenes::PrintScene>("print", "Ie", kPrintHash,
+                                  {grid, particles, homes});
 }
 
 TEST(particles_have_one_hash) {
-  static scenes::ParticleScene scene(setting_of("Ink cel"));
-  check_played("particles", scene, kParticlesHash);
-  check_sought(scene);
+  check_scene<scenes::ParticleScene>("particles", "Ink cel", kParticlesHash,
+                                     {grid, particles, homes});
 }

@@ -6,8 +6,6 @@
 // Drawing is compared for one text in a hundred.
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
@@ -19,6 +17,7 @@
 #include "inkcell/port/a8.hpp"
 #include "line_cursor.hpp"
 #include "random.hpp"
+#include "rom_file.hpp"
 #include "text/blank.hpp"
 #include "ucd.hpp"
 
@@ -29,90 +28,28 @@ using namespace inkcell;
 // Layout and drawing must not allocate.
 size_t allocations = 0;
 
-struct FontFile {
-  std::vector<uint32_t> words;  // aligned to 4
-  Font font;
-
-  explicit FontFile(const char* name) {
-    std::ifstream in(name, std::ios::binary);
-    const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
-    words.resize(bytes.size() / 4 + 1);
-    std::memcpy(words.data(), bytes.data(), bytes.size());
-    if (Font::open(
-            {reinterpret_cast<const uint8_t*>(words.data()), bytes.size()},
-            font) != Status::ok) {
-      std::fprintf(stderr, "%s is no font\n", name);
-      std::exit(2);
-    }
-  }
+// Pieces of texts, by kind.
+// clang-format off
+constexpr const char* kPieces[] = {
+    // words
+    "a", "to", "word", "Affinity", "WAVE", "longer-hyphened", "x",
+    // signs and numbers
+    ".", ",", "(", ")", "[", "]", "\"", "/", "12", "3.14", "$9", "100%", "-",
+    // blanks and line ends
+    " ", " ", " ", " ", " ", "  ", "\t", "\n", "\r\n",
+    // marks and what shows nothing
+    "\u00a0", "\u00ad", "co\u00adop", "\u200b", "\u2060", "\u200d", "\ufe0f",
+    "e\u0301", "\u0301", "\u2026",
+    // from right to left, and controls
+    "\u05d0\u05d1\u05d2", "\u05e9\u05b8\u05dc", "\u05d0", "\u0627\u0644",
+    "\u0661\u0662", "\u200f", "\u202b", "\u202c", "\u2067", "\u2069",
+    // of the East, emoji
+    "\u4e00", "\u6f22\u5b57", "\u3002", "\u300c", "\u300d", "\u30fc", "\u3000",
+    "\ud55c", "\U0001f600", "\U0001f1e9\U0001f1ea",
+    // no UTF-8, and line ends that few know
+    "\xff", "\xe2\x80", "\xc3", "\x80", "\u2028", "\x0b",
 };
-
-// Pieces of many kinds: words, spaces, line ends, marks, directions, nonsense.
-constexpr const char* kPieces[] = {"a",
-                                   "to",
-                                   "word",
-                                   "Affinity",
-                                   "WAVE",
-                                   "longer-hyphened",
-                                   "x",
-                                   ".",
-                                   ",",
-                                   "(",
-                                   ")",
-                                   "[",
-                                   "]",
-                                   "\"",
-                                   "/",
-                                   "12",
-                                   "3.14",
-                                   "$9",
-                                   "100%",
-                                   "-",
-                                   " ",
-                                   " ",
-                                   " ",
-                                   " ",
-                                   " ",
-                                   "  ",
-                                   "\t",
-                                   "\n",
-                                   "\r\n",
-                                   "\xc2\xa0",
-                                   "\xc2\xad",
-                                   "co\u00adop",
-                                   "\xe2\x80\x8b",
-                                   "\xe2\x81\xa0",
-                                   "\xe2\x80\x8d",
-                                   "\xef\xb8\x8f",
-                                   "e\xcc\x81",
-                                   "\xcc\x81",
-                                   "\xe2\x80\xa6",
-                                   "\xd7\x90\xd7\x91\xd7\x92",
-                                   "\xd7\xa9\xd6\xb8\xd7\x9c",
-                                   "\xd7\x90",
-                                   "\xd8\xa7\xd9\x84",
-                                   "\xd9\xa1\xd9\xa2",
-                                   "\xe2\x80\x8f",
-                                   "\xe2\x80\xab",
-                                   "\xe2\x80\xac",
-                                   "\xe2\x81\xa7",
-                                   "\xe2\x81\xa9",
-                                   "\xe4\xb8\x80",
-                                   "\xe6\xbc\xa2\xe5\xad\x97",
-                                   "\xe3\x80\x82",
-                                   "\xe3\x80\x8c",
-                                   "\xe3\x80\x8d",
-                                   "\xe3\x83\xbc",
-                                   "\xe3\x80\x80",
-                                   "\xed\x95\x9c",
-                                   "\xf0\x9f\x98\x80",
-                                   "\xf0\x9f\x87\xa9\xf0\x9f\x87\xaa",
-                                   "\xff",
-                                   "\xe2\x80",
-                                   "\xc3",
-                                   "\x80",
-                                   "\xe2\x80\xa8",
-                                   "\x0b"};
+// clang-format on
 
 // One layout, made from a number.
 struct Trial {
@@ -127,7 +64,7 @@ struct Trial {
   TextBox box;
   int32_t width = 0;
 
-  Trial(uint32_t id, const FontFile& font, const FontFile& cjk)
+  Trial(uint32_t id, const Font& font, const Font& cjk)
       : random(id * 2654435761u + 1), bidi(cells) {
     static_cast<void>(random.next());
     const uint32_t pieces = random.below(24);
@@ -135,7 +72,7 @@ struct Trial {
     for (uint32_t i = 0; i != pieces; ++i) {
       text += kPieces[random.below(kinds)];
     }
-    make_styles(font.font, cjk.font);
+    make_styles(font, cjk);
     make_style();
   }
 
@@ -430,13 +367,13 @@ void print(const Trial& trial) {
 }
 
 // A letter with more marks than a line may hold must not stop layout.
-bool try_endless_marks(const FontFile& font) {
+bool try_endless_marks(const Font& font) {
   std::string text = "a";
   for (size_t i = 0; i != 40000; ++i) {
     text += "\xcc\x81";
   }
   const Style style(12_px, kFilterText);
-  const LayoutOptions options(font.font, style);
+  const LayoutOptions options(font, style);
   TextLine line;
   size_t lines = 0;
   while (lines < 10 && next_line(options, {}, {text.data(), text.size()},
@@ -450,7 +387,7 @@ bool try_endless_marks(const FontFile& font) {
   return is_ok;
 }
 
-bool try_one(uint32_t id, const FontFile& font, const FontFile& cjk) {
+bool try_one(uint32_t id, const Font& font, const Font& cjk) {
   wrong = nullptr;
   const Trial trial(id, font, cjk);
   const size_t before = allocations;
@@ -491,8 +428,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: check_random FONT CJK_FONT [COUNT [FIRST]]\n");
     return 2;
   }
-  const FontFile font(argv[1]);
-  const FontFile cjk(argv[2]);
+  const RomFile font_file(argv[1]);
+  const RomFile cjk_file(argv[2]);
+  const Font& font = font_file.font();
+  const Font& cjk = cjk_file.font();
   const auto count =
       static_cast<uint32_t>(argc > 3 ? std::atoi(argv[3]) : 10000);
   const auto first = static_cast<uint32_t>(argc > 4 ? std::atoi(argv[4]) : 0);

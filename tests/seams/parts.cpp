@@ -140,11 +140,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const RomFile file(argv[1]);
-  Font font;
-  if (!file.open(font)) {
-    std::fprintf(stderr, "%s is no font\n", argv[1]);
-    return 2;
-  }
+  const Font& font = file.font();
   Tally tallies[2];
   int with_parts = 0;
   int ascii = 0;  // fitted pictures that lack a part

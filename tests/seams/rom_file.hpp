@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -12,24 +14,26 @@
 // Its bytes, at an address that fonts may have.
 class RomFile {
  public:
+  // Ends the program if the file is no whole font.
   explicit RomFile(const char* name) {
     std::ifstream file(name, std::ios::binary);
     const std::vector<char> loaded((std::istreambuf_iterator<char>(file)), {});
-    size_ = loaded.size();
-    words_.resize((size_ + 3) / 4);
+    words_.resize((loaded.size() + 3) / 4);
     std::copy(loaded.begin(), loaded.end(),
               reinterpret_cast<uint8_t*>(words_.data()));
+    if (inkcell::open_any_font(
+            {reinterpret_cast<const uint8_t*>(words_.data()), loaded.size()},
+            font_) != inkcell::Status::ok ||
+        font_.verify() != inkcell::Status::ok) {
+      std::fprintf(stderr, "%s is no font\n", name);
+      std::exit(2);
+    }
   }
 
-  // False if it is no whole font. The file must outlive the font.
-  bool open(inkcell::Font& font) const {
-    return inkcell::open_any_font(
-               {reinterpret_cast<const uint8_t*>(words_.data()), size_},
-               font) == inkcell::Status::ok &&
-           font.verify() == inkcell::Status::ok;
-  }
+  // The file must outlive it.
+  const inkcell::Font& font() const { return font_; }
 
  private:
   std::vector<uint32_t> words_;
-  size_t size_ = 0;
+  inkcell::Font font_;
 };

@@ -188,11 +188,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const RomFile file(argv[1]);
-  Font font;
-  if (!file.open(font)) {
-    fprintf(stderr, "seams: %s is not a ROM font\n", argv[1]);
-    return 2;
-  }
+  const Font& font = file.font();
   const Metric metric(font.range());
   Summary summary;
   for (uint16_t id = 0; id < font.glyph_count(); ++id) {

@@ -105,11 +105,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const RomFile file(argv[1]);
-  Font font;
-  if (!file.open(font)) {
-    std::fprintf(stderr, "%s is no font\n", argv[1]);
-    return 2;
-  }
+  const Font& font = file.font();
   int64_t pictures = 0;
   int64_t failures = 0;
   for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
