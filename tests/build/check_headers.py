@@ -1,22 +1,21 @@
 """Compiles each public header alone, twice included, with every compiler; also
-after the macros of other projects, in foreign_macros.h. Below C++17 each begins
+after the macros of other projects, foreign_macros.py. Below C++17 each begins
 with an error that names the remedy.
 
 Headers of the C interface are compiled as C99, too, and need no C++17.
 
 Usage: check_headers.py WORK_FOLDER
 """
-import pathlib
 import re
-import sys
 
+import foreign_macros
 from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, LAUNCHER, WARNINGS,
-                        c_compiler, c_headers, device_headers, finish,
-                        in_parallel, require, run)
+                        arguments, c_compiler, c_headers, device_headers,
+                        finish, in_parallel, require, run)
 
 FREESTANDING = {"C++17": ["-ffreestanding", "-fno-exceptions", "-fno-rtti"],
                 "C99": ["-ffreestanding"]}
-MACROS = pathlib.Path(__file__).resolve().parent / "foreign_macros.h"
+MACROS = "foreign_macros.h"  # in the work folder
 # As a device compiles them, as any other program does, and in a source that has
 # the macros of other projects.
 MODES = {
@@ -39,7 +38,7 @@ def check(machine, mode, language, source):
     cast_align = "-Wcast-align" + ("" if "clang" in machine else "=strict")
     target = source.with_suffix(f".{machine}.{mode}.o".replace(" ", "-"))
     result = run([*LAUNCHER, *command, *MODES[mode][language], cast_align,
-                  *INCLUDES, "-c", source, "-o", target])
+                  *INCLUDES, "-c", source, "-o", target], cwd=source.parent)
     return None if result.returncode == 0 else (
         f"{language} ({machine}, {mode}):\n{result.stdout}")
 
@@ -57,8 +56,8 @@ def check_old(source):
 
 
 def main():
-    work = pathlib.Path(sys.argv[1])
-    work.mkdir(parents=True, exist_ok=True)
+    work, = arguments()
+    foreign_macros.write(work / MACROS)
     require([command[0] for command, _ in COMPILERS.values()])
     jobs = []
     for language, ending, headers in (

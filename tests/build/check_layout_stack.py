@@ -8,13 +8,10 @@ Usage: check_layout_stack.py WORK_FOLDER
 """
 import functools
 import os
-import pathlib
 import re
-import shutil
-import sys
 
-from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
-                        WARNINGS, finish, require, run)
+from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS, arguments,
+                        finish, require, run)
 from limits import LIMITS
 
 # Of the deepest chain the font's kerning takes 170 bytes. A box that is drawn
@@ -28,29 +25,15 @@ ENTRIES = ["LineBreaker::next", "next_line", "shorten", "lay_out",
            "TextBox::box", "TextBox::measure", "TextBox::hit", "TextBox::caret",
            "ScrollingLabel::make"]
 
-# Members of BidiOrder, in the order of its initializer, and who calls them,
+# Members of BidiOrder, in the order of its initializer, and who calls each,
 # perhaps in a function that the compiler has put into it.
-BIDI_ORDER = ["prepare", "level", "first_run", "next_run", "mirrored"]
 CALLS_BIDI = {
-    "prepare": ["prepare"],
-    "find_next_line": ["prepare"],
-    "next_line": ["prepare"],
-    "next": ["prepare"],
-    "shorten": ["prepare"],
-    "lay_out": ["prepare"],
-    "make": ["prepare"],
-    "draw": ["prepare"],
-    "box": ["prepare"],
-    "hit": ["prepare"],
-    "caret": ["prepare"],
-    "level": ["level"],
-    "find_end": ["level"],
-    "cut_front": ["level"],
-    "cut_back": ["level"],
-    "width_of": ["level"],
-    "begin_text": ["first_run"],
-    "begin_character": ["next_run"],
-    "look_up": ["mirrored"],
+    "prepare": ["prepare", "find_next_line", "next_line", "next", "shorten",
+                "lay_out", "make", "draw", "box", "hit", "caret"],
+    "level": ["level", "find_end", "cut_front", "cut_back", "width_of"],
+    "first_run": ["begin_text"],
+    "next_run": ["begin_character"],
+    "mirrored": ["look_up"],
 }
 # Who asks a fitter for advances.
 CALLS_FITTER = ["has_whole_advances", "advance", "advances", "own_units", "to_units",
@@ -113,7 +96,7 @@ def bidi_functions(names):
         match = LAMBDA.search(symbol)
         if match:
             index = int(match[1]) + 1 if match[1] else 0
-            found[BIDI_ORDER[index]] = symbol
+            found[list(CALLS_BIDI)[index]] = symbol
     return found
 
 
@@ -129,7 +112,8 @@ class Chains:
         targets = set(self.calls.get(symbol, set()))
         if "__indirect_call" in targets:
             name = short(self.names[symbol])
-            members = CALLS_BIDI.get(name, [])
+            members = [member for member, callers in CALLS_BIDI.items()
+                       if name in callers]
             if not members and name not in (CALLS_FITTER + CALLS_SINK + CALLS_REPORT +
                                             CALLS_PAGES):
                 self.unknown.add(name)
@@ -159,7 +143,7 @@ def check_level(level, work):
     problems = compile_all(level, folder)
     names, stack, calls = read_graph(folder)
     chains = Chains(names, stack, calls)
-    if len(chains.bidi) != len(BIDI_ORDER):
+    if len(chains.bidi) != len(CALLS_BIDI):
         problems.append(f"{level}: found {sorted(chains.bidi)} of BidiOrder")
     for entry in ENTRIES:
         found = [symbol for symbol, name in names.items()
@@ -182,8 +166,7 @@ def check_level(level, work):
 
 
 def main():
-    work = pathlib.Path(sys.argv[1])
-    shutil.rmtree(work, ignore_errors=True)
+    work, = arguments()
     require([COMPILERS["Cortex-M0"][0][0]])
     problems = [problem for level in LEVELS
                 for problem in check_level(level, work)]
