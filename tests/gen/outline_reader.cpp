@@ -1,8 +1,11 @@
 #include "outline_reader.hpp"
 
+#include <algorithm>
+
 #include "bits.hpp"
 
 namespace inkcell::gen::test {
+
 MinimalOutline read_outline(const std::vector<uint8_t>& record,
                             const std::vector<uint16_t>& tables,
                             int code_bits,
@@ -61,6 +64,18 @@ OutlineReferences read_composite(const std::vector<uint8_t>& record) {
     references.push_back(reference);
   } while (bits.u(1) == 1);
   return references;
+}
+
+bool same(const MinimalOutline& a, const MinimalOutline& b) {
+  const auto same_point = [](const GridPoint& p, const GridPoint& q) {
+    return p.x == q.x && p.y == q.y && p.kind == q.kind;
+  };
+  return std::equal(
+      a.contours.begin(), a.contours.end(), b.contours.begin(),
+      b.contours.end(), [&](const MinimalContour& c, const MinimalContour& d) {
+        return std::equal(c.points.begin(), c.points.end(), d.points.begin(),
+                          d.points.end(), same_point);
+      });
 }
 
 }  // namespace inkcell::gen::test

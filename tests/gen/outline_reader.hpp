@@ -21,4 +21,7 @@ MinimalOutline read_outline(const std::vector<uint8_t>& record,
 
 OutlineReferences read_composite(const std::vector<uint8_t>& record);
 
+/// Whether two outlines have the same points, contour by contour.
+bool same(const MinimalOutline& a, const MinimalOutline& b);
+
 }  // namespace inkcell::gen::test

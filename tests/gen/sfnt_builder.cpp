@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 namespace inkcell::gen::test {
@@ -20,6 +21,12 @@ class Table {
     return *this;
   }
   Table& u16(int value) { return u8(value >> 8 & 0xff).u8(value & 0xff); }
+  Table& u16s(std::initializer_list<int> values) {
+    for (const int value : values) {
+      u16(value);
+    }
+    return *this;
+  }
   Table& u32(uint32_t value) {
     return u16(static_cast<int>(value >> 16)).u16(static_cast<int>(value));
   }
@@ -45,40 +52,26 @@ Bytes head_table(const Sfnt& font) {
       .u32(0x10000)     // revision
       .u32(0)           // checksum, never checked
       .u32(0x5f0f3cf5)  // magic
-      .u16(0)
-      .u16(font.units_per_em)
+      .u16s({0, font.units_per_em})
       .zeros(16)  // dates
-      .u16(-2000)
-      .u16(-2000)
-      .u16(2000)
-      .u16(2000)
-      .u16(0)
-      .u16(6)
-      .u16(2)
-      .u16(1)  // long offsets in loca
-      .u16(0)
+      .u16s({-2000, -2000, 2000, 2000, 0, 6, 2})
+      .u16s({1, 0})  // long offsets in loca
       .bytes;
 }
 
 Bytes hhea_table(const Sfnt& font) {
   return Table()
       .u32(0x10000)
-      .u16(font.ascender)
-      .u16(font.descender)
-      .u16(font.line_gap)
-      .u16(2000)
+      .u16s({font.ascender, font.descender, font.line_gap, 2000})
       .zeros(20)
-      .u16(0)
-      .u16(static_cast<int>(font.glyphs.size()))
+      .u16s({0, static_cast<int>(font.glyphs.size())})
       .bytes;
 }
 
 Bytes maxp_table(const Sfnt& font) {
   return Table()
       .u32(0x10000)
-      .u16(static_cast<int>(font.glyphs.size()))
-      .u16(1000)
-      .u16(100)
+      .u16s({static_cast<int>(font.glyphs.size()), 1000, 100})
       .zeros(4)
       .u16(2)
       .zeros(16)
@@ -89,26 +82,13 @@ Bytes maxp_table(const Sfnt& font) {
 // differ from hhea's, and no USE_TYPO_METRICS.
 Bytes os2_table(const Sfnt& font) {
   return Table()
-      .u16(2)
-      .u16(500)
-      .u16(400)
-      .u16(5)
-      .u16(font.fs_type)
+      .u16s({2, 500, 400, 5, font.fs_type})
       .zeros(52)
-      .u16(0x40)  // fsSelection: regular
-      .u16(0x20)
-      .u16(0x7e)
-      .u16(font.ascender - 50)
-      .u16(font.descender + 50)
-      .u16(0)
-      .u16(font.ascender)
-      .u16(-font.descender)
+      .u16s({0x40, 0x20, 0x7e})  // fsSelection: regular
+      .u16s({font.ascender - 50, font.descender + 50, 0})
+      .u16s({font.ascender, -font.descender})
       .zeros(8)
-      .u16(font.x_height)
-      .u16(font.cap_height)
-      .u16(0)
-      .u16(0x20)
-      .u16(1)
+      .u16s({font.x_height, font.cap_height, 0, 0x20, 1})
       .bytes;
 }
 
@@ -229,19 +209,9 @@ constexpr int kFirstInstanceName = 256;
 
 Bytes fvar_table(const Sfnt& font) {
   Table table;
-  table.u32(0x10000)
-      .u16(16)
-      .u16(2)
-      .u16(1)
-      .u16(20)
-      .u16(static_cast<int>(font.instances.size()))
-      .u16(8)
-      .tag("wght")
-      .u32(100u << 16)
-      .u32(400u << 16)
-      .u32(900u << 16)
-      .u16(0)
-      .u16(1);
+  const int instances = static_cast<int>(font.instances.size());
+  table.u32(0x10000).u16s({16, 2, 1, 20, instances, 8}).tag("wght");
+  table.u32(100u << 16).u32(400u << 16).u32(900u << 16).u16s({0, 1});
   int name = kFirstInstanceName;
   for (const auto& [text, wght] : font.instances) {
     table.u16(name++).u16(0).u32(static_cast<uint32_t>(wght) << 16);

@@ -5,8 +5,8 @@
 
 #include "app/encode.hpp"
 #include "icon_folder.hpp"
-#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
+#include "opened_font.hpp"
 #include "pipeline/generate.hpp"
 #include "shape/shape.hpp"
 #include "source/faces.hpp"
@@ -301,9 +301,7 @@ TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
   request.merge = {file("more.ttf")};
   const RomFont font = generate(request);
   EXPECT_TRUE(font.warnings.empty());
-  Font reader;
-  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
-            Status::ok);
+  const Font reader = opened(font.bytes);
   ASSERT_EQ(font.strings.size(), 1u);
   ASSERT_EQ(font.strings[0].glyphs.size(), 2u);
   EXPECT_EQ(font.strings[0].glyphs[0].glyph, reader.glyph_or_notdef(U'C'));
@@ -322,9 +320,7 @@ TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
   request.string_files = {write("ui.txt", "three = ABA\n")};
   request.strict = true;
   const RomFont font = generate(request);
-  Font reader;
-  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
-            Status::ok);
+  const Font reader = opened(font.bytes);
   const auto& glyphs = font.strings[0].glyphs;
   ASSERT_EQ(glyphs.size(), 3u);
   const uint16_t a = reader.glyph_or_notdef(U'A');
@@ -343,9 +339,7 @@ TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
 TEST_F(Faces, StringsHaveIcons) {
   const RomFont font = generate(with_icon("one = ACA\n"));
   EXPECT_TRUE(font.warnings.empty());
-  Font reader;
-  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
-            Status::ok);
+  const Font reader = opened(font.bytes);
   const uint16_t a = reader.glyph_or_notdef(U'A');
   const uint16_t c = reader.glyph_or_notdef(U'C');
   const uint16_t icon = reader.glyph_or_notdef(0xe001);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "glyph_outlines.hpp"
-#include "inkcell/field/draw.hpp"
 #include "inkcell/field/generate.hpp"
+#include "opened_font.hpp"
 #include "pipeline/generate.hpp"
 #include "shape/shape.hpp"
 
@@ -61,8 +61,7 @@ Errors measure(const char* file) {
   request.font = file;
   request.chars = {"0x21-0x7E"};
   const std::vector<uint8_t> bytes = generate(request).bytes;
-  Font font;
-  EXPECT_EQ(open_any_font({bytes.data(), bytes.size()}, font), Status::ok);
+  const Font font = opened(bytes);
   FieldLimits limits;
   limits.fills_em = true;
   alignas(4) static uint8_t ram[1 << 17];

@@ -391,26 +391,31 @@ TEST(FontSource, RefusesFontsWithoutGlyphs) {
                        "one.ttf: holds none of the 95 characters asked for"));
 }
 
-TEST(FontSource, NamesTheGlyphThatIsDamaged) {
-  const TestFolder folder;
+// Its last glyph, H, is the only one with an outline, whose last contour refers
+// to points that do not exist.
+Sfnt damaged() {
   Sfnt source = Sfnt::plain();
-  // The last contour refers to points that do not exist.
-  Sfnt broken = source;
   std::vector<uint8_t> glyf(64, 0xff);
   glyf[0] = 0;
   glyf[1] = 9;
-  broken.tables["glyf"] = glyf;
+  source.tables["glyf"] = glyf;
   std::vector<uint8_t> loca(5 * 4);
   loca.back() = 64;
-  broken.tables["loca"] = loca;
+  source.tables["loca"] = loca;
+  return source;
+}
+
+TEST(FontSource, NamesTheGlyphThatIsDamaged) {
+  const TestFolder folder;
+  Sfnt broken = damaged();
   const std::string message =
       refusal(request_of(folder.write("a.ttf", broken)));
   EXPECT_TRUE(contains(message, "a.ttf: glyph 3 (U+0048 'H') cannot be read"));
   EXPECT_TRUE(
       contains(message, "get the font anew or leave the character out"));
   // .notdef cannot be left out.
-  loca = {0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64};
-  broken.tables["loca"] = loca;
+  broken.tables["loca"] = {0, 0,  0, 0, 0, 0,  0, 64, 0, 0,
+                           0, 64, 0, 0, 0, 64, 0, 0,  0, 64};
   const std::string notdef = refusal(request_of(folder.write("a.ttf", broken)));
   EXPECT_TRUE(contains(notdef, "a.ttf: glyph 0 (.notdef) cannot be read"));
   EXPECT_TRUE(contains(notdef, "get the font anew"));
@@ -419,15 +424,8 @@ TEST(FontSource, NamesTheGlyphThatIsDamaged) {
 
 TEST(FontSource, BearsDamageInGlyphsThatAreNotAskedFor) {
   const TestFolder folder;
-  Sfnt source = Sfnt::plain();
+  Sfnt source = damaged();
   source.cap_height = 0;
-  std::vector<uint8_t> glyf(64, 0xff);
-  glyf[0] = 0;
-  glyf[1] = 9;
-  source.tables["glyf"] = glyf;
-  std::vector<uint8_t> loca(5 * 4);
-  loca.back() = 64;
-  source.tables["loca"] = loca;
   Warnings warnings;
   const SourceFont font =
       load_font(request_of(folder.write("a.ttf", source), "."), 1, warnings);

@@ -12,11 +12,11 @@
 #include "field/record.hpp"
 #include "field/symmetry.hpp"
 #include "glyph_outlines.hpp"
-#include "inkcell/field/draw.hpp"
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/font.hpp"
 #include "messages.hpp"
+#include "opened_font.hpp"
 #include "pipeline/field_images.hpp"
 #include "sfnt_builder.hpp"
 #include "shape/outline.hpp"
@@ -73,9 +73,7 @@ TEST(Generate, MakesSmallerFontsOfOutlines) {
     request.symbols = "Rag8";
     request.target = options;
     const RomFont rom = generate(request);
-    Font font;
-    ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-              Status::ok);
+    const Font font = opened(rom.bytes);
     EXPECT_EQ(verify_fields(font), Status::ok);
     EXPECT_LT(rom.report.bytes.glyphs, before / 2);
     before = rom.report.bytes.glyphs;
@@ -85,9 +83,7 @@ TEST(Generate, MakesSmallerFontsOfOutlines) {
 
 TEST(Generate, MakesAFontThatTheDeviceReads) {
   const RomFont rom = generate(dejavu());
-  Font font;
-  ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-            Status::ok);
+  const Font font = opened(rom.bytes);
   EXPECT_EQ(verify_fields(font), Status::ok);
   EXPECT_EQ(font.glyph_count(), 96);
   EXPECT_EQ(font.units_per_em(), 2048);
@@ -127,9 +123,7 @@ TEST(Generate, AddsWhatLayoutPutsIntoText) {
     request.layout_glyphs = signs;
     request.strict = true;
     const RomFont rom = generate(request);
-    Font font;
-    EXPECT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-              Status::ok);
+    const Font font = opened(rom.bytes);
     std::u32string found;
     size_t bytes = 0;
     for (const char32_t c : rom.report.added) {
@@ -274,9 +268,7 @@ TEST(Generate, WarnsOfAreasBeyondTheTolerance) {
   EXPECT_EQ(rom.warnings[0].kind, Warning::Kind::tolerance_missed);
   EXPECT_TRUE(contains(rom.warnings[0].text, "'g'"));
   EXPECT_GT(rom.report.worst_error, 5);
-  Font font;
-  ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-            Status::ok);
+  const Font font = opened(rom.bytes);
   EXPECT_EQ(font.range().tolerance, std::ceil(rom.report.worst_error));
 }
 
@@ -317,9 +309,7 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   request.target.coding = Coding::field;
   const RomFont rom = generate(request);
   EXPECT_EQ(rom.report.glyphs.size(), 5u);  // no acute of its own
-  Font font;
-  ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-            Status::ok);
+  const Font font = opened(rom.bytes);
   GlyphField fields[2];
   for (const uint32_t character : {kLeft, kRight}) {
     uint16_t glyph = 0;
@@ -474,9 +464,7 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   request.target.tolerance = 1;
   request.target.effort = 0;
   const RomFont rom = generate(request);
-  Font font;
-  ASSERT_EQ(open_any_font({rom.bytes.data(), rom.bytes.size()}, font),
-            Status::ok);
+  const Font font = opened(rom.bytes);
   EXPECT_EQ(font.range().tolerance, std::ceil(rom.report.worst_error));
   const auto dot =
       std::find_if(rom.report.glyphs.begin(), rom.report.glyphs.end(),

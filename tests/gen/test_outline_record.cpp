@@ -21,20 +21,6 @@ namespace {
 constexpr PointKind kOff = PointKind::off_curve;
 constexpr PointKind kSmooth = PointKind::smooth;
 
-bool same(const GridPoint& a, const GridPoint& b) {
-  return a.x == b.x && a.y == b.y && a.kind == b.kind;
-}
-
-bool same(const MinimalOutline& a, const MinimalOutline& b) {
-  return std::equal(
-      a.contours.begin(), a.contours.end(), b.contours.begin(),
-      b.contours.end(), [](const MinimalContour& x, const MinimalContour& y) {
-        return std::equal(
-            x.points.begin(), x.points.end(), y.points.begin(), y.points.end(),
-            [](const GridPoint& p, const GridPoint& q) { return same(p, q); });
-      });
-}
-
 // Random points within +-reach.
 MinimalOutline random_outline(std::mt19937& random, int reach) {
   MinimalOutline outline;

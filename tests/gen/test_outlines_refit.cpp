@@ -6,6 +6,7 @@
 #include <string>
 
 #include "glyph_outlines.hpp"
+#include "outline_reader.hpp"
 #include "outlines/expand.hpp"
 #include "outlines/refit.hpp"
 #include "outlines/unite.hpp"
@@ -51,18 +52,6 @@ size_t point_count(const MinimalOutline& outline) {
     sum += contour.points.size();
   }
   return sum;
-}
-
-bool equal(const MinimalOutline& a, const MinimalOutline& b) {
-  const auto same_point = [](const GridPoint& p, const GridPoint& q) {
-    return p.x == q.x && p.y == q.y && p.kind == q.kind;
-  };
-  return std::equal(
-      a.contours.begin(), a.contours.end(), b.contours.begin(),
-      b.contours.end(), [&](const MinimalContour& c, const MinimalContour& d) {
-        return std::equal(c.points.begin(), c.points.end(), d.points.begin(),
-                          d.points.end(), same_point);
-      });
 }
 
 double turn_degrees(const GridPoint& a,
@@ -234,7 +223,7 @@ TEST(Refit, TheSameInputGivesTheSamePoints) {
   for (const Face& face : faces()) {
     const Outline glyph =
         load_outlines(face.file, face.index, {face.code_points[0]})[0];
-    EXPECT_TRUE(equal(refitted(glyph, face.how), refitted(glyph, face.how)));
+    EXPECT_TRUE(same(refitted(glyph, face.how), refitted(glyph, face.how)));
   }
 }
 
@@ -246,13 +235,13 @@ TEST(Refit, AMemoChangesNoPoint) {
     RefitMemo memo;
     RefitOptions how = face.how;
     for (int round = 0; round < 4; ++round) {
-      EXPECT_TRUE(equal(refitted(glyph, how, memo), refitted(glyph, how)));
+      EXPECT_TRUE(same(refitted(glyph, how, memo), refitted(glyph, how)));
       const Segment& somewhere =
           glyph.contours[0].segments[static_cast<size_t>(round)];
       (round % 2 == 0 ? how.careful_u : how.exact_u).push_back(somewhere.p[0]);
     }
     how.tolerance_u *= 0.6;
-    EXPECT_TRUE(equal(refitted(glyph, how, memo), refitted(glyph, how)));
+    EXPECT_TRUE(same(refitted(glyph, how, memo), refitted(glyph, how)));
   }
 }
 

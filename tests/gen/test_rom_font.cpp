@@ -15,6 +15,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "opened_font.hpp"
 #include "paths.hpp"
 #include "shape/shape.hpp"
 
@@ -96,8 +97,7 @@ size_t padded(size_t size) {
 
 // The device's values of all glyphs and pairs.
 void expect_tables(const std::vector<uint8_t>& rom, const RomContent& content) {
-  Font font;
-  ASSERT_EQ(open_any_font({rom.data(), rom.size()}, font), Status::ok);
+  const Font font = opened(rom);
   EXPECT_EQ(verify_fields(font), Status::ok);
   int wrong = 0;
   const size_t count = content.glyphs.size();
@@ -187,8 +187,7 @@ TEST(RomFont, NoGlyphNeedsInk) {
     }
     const std::vector<uint8_t> bytes = write(content);
     check_rom_font(bytes, content);
-    Font font;
-    ASSERT_EQ(open_any_font({bytes.data(), bytes.size()}, font), Status::ok);
+    const Font font = opened(bytes);
     for (size_t i = 0; i < count; ++i) {
       GlyphField field;
       EXPECT_EQ(read_field(font, static_cast<uint16_t>(i), field), Status::ok);
@@ -332,8 +331,7 @@ TEST(RomFont, LargeFontsCountInLargerUnits) {
   PartBytes parts;
   const std::vector<uint8_t> rom = write_rom_font(content, parts);
   ASSERT_GT(rom.size(), size_t{1} << 26);
-  Font font;
-  ASSERT_EQ(open_any_font({rom.data(), rom.size()}, font), Status::ok);
+  const Font font = opened(rom);
   const Span<const uint8_t> glyphs = font.section(format::section::kGlyphs);
   EXPECT_EQ(glyphs[format::glyphs::kUnitLog2], 2);
   EXPECT_EQ(glyphs[format::glyphs::kOffsetBits], 25);
