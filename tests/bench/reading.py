@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Judges small text: how well a machine reads it, stems, counters, symmetry.
+"""Judges small text: how well a machine reads it, and its stems.
 
 Draws lines with inkcell-render, and with FreeType's three ways to hint, and
 prints one JSON object a row and a table of means over the fonts:
@@ -7,14 +7,11 @@ prints one JSON object a row and a table of means over the fonts:
   read     characters that Tesseract reads from pixels enlarged four times [%]
   peak     grey: darkest column of a stem [%], and
   vary     how much that varies; 1 bit: how much widths of stems vary [%]
-  uneven   left against right of AHIMOTUVWXYovwx08 [% of their ink]
-  holes    counters lost and false, of the 94 glyphs of ASCII
   length   of the lines, against unhinted advances [%]
 
 OCR is one reader: a point is noise from 10 px on, two at 8 px.
 """
 import argparse
-import functools
 import json
 import os
 import subprocess
@@ -29,10 +26,8 @@ FONTS = ["dejavu/DejaVuSans.ttf",
          "roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"]
 FOLDER = Path("/usr/share/fonts/truetype")
 LINES = Path(__file__).resolve().parent / "reading_lines.txt"
-SYMMETRIC = "AHIMOTUVWXYovwx08"
 STEMS = ["illimhnurihul", "dinnhumpliqurm"]  # and words of capitals
 CAPITALS = ["HIHLHITLIH"]
-GLYPHS = "".join(map(chr, range(33, 127)))
 
 # Row: options of inkcell-render, or FreeType's load flags; levels of grey.
 LIGHT = freetype.FT_LOAD_FORCE_AUTOHINT | freetype.FT_LOAD_TARGET_LIGHT
@@ -212,61 +207,6 @@ def stems(row, px):
             "vary": spread(peaks)}
 
 
-def unevenness(row, px):
-    bad = ink = 0
-    jobs = row.jobs(SYMMETRIC, px, (0, 16, 32, 48))
-    for picture in row.draw(jobs):
-        used = [i for i in range(len(picture[0]))
-                if sum(line[i] for line in picture) > 5]
-        for line in picture:
-            part = line[used[0]:used[-1] + 1]
-            ink += sum(part)
-            bad += sum(abs(a - b) for a, b in zip(part, reversed(part))) / 2
-    return {"uneven": 100 * bad / ink}
-
-
-def count_holes(rows, threshold):
-    """White regions that do not touch the border."""
-    width = len(rows[0]) + 2
-    free = [True] * width
-    for row in rows:
-        free += [True, *(v <= threshold for v in row), True]
-    free += [True] * width
-    regions = 0
-    for start, is_free in enumerate(free):
-        if not is_free:
-            continue
-        regions += 1
-        free[start] = False
-        left = [start]
-        while left:
-            at = left.pop()
-            for to in (at - 1, at + 1, at - width, at + width):
-                if 0 <= to < len(free) and free[to]:
-                    free[to] = False
-                    left.append(to)
-    return regions - 1
-
-
-@functools.lru_cache
-def counters_of(font):
-    """How many each glyph has, from large pictures."""
-    face = freetype.Face(str(font))
-    return [count_holes(freetype_picture(face, freetype.FT_LOAD_NO_HINTING,
-                                         Job(face, glyph, 48), 256), 127)
-            for glyph in GLYPHS]
-
-
-def holes(row, px):
-    lost = false = 0
-    pictures = row.draw(row.jobs(GLYPHS, px))
-    for wanted, picture in zip(counters_of(row.font), pictures):
-        found = count_holes(picture, 127)
-        lost += max(0, wanted - found)
-        false += max(0, found - wanted)
-    return {"lost": lost, "false": false}
-
-
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="reading.sh", description=__doc__,
@@ -291,7 +231,7 @@ def parse(arguments):
     options.font = options.font or [FOLDER / font for font in FONTS]
     options.px = [float(px) for px in options.px.split(",")]
     options.texts = options.lines.read_text().splitlines()
-    options.judges = (read, stems, unevenness, holes)
+    options.judges = (read, stems)
     if not options.lines.read_text().isascii():
         options.judges = (read,)
     options.rows = options.rows.split(";") if options.rows else list(ROWS)
@@ -319,7 +259,7 @@ def main(arguments):
                               **{k: round(v, 2) for k, v in figures.items()}
                               }), flush=True)
     print("\r\033[K", end="", file=sys.stderr)
-    columns = ("read", "peak", "vary", "uneven", "lost", "false", "length")
+    columns = ("read", "peak", "vary", "length")
     print(f"{'mean of the fonts':24}   px" +
           "".join(f"{c:>8}" for c in columns), file=sys.stderr)
     for (name, px), fonts in results.items():
