@@ -82,14 +82,8 @@ bool measure(uint32_t depth, int32_t px) {
         [] { draw_field(field, bench::style, bench::origin, bench::sink); });
   };
   const auto stack = static_cast<uint32_t>(board::count_stack(work));
-  const uint32_t numbers[] = {static_cast<uint32_t>(px),
-                              static_cast<uint32_t>(px * px),
-                              board::count_instructions(work), stack};
-  board::print("bound");
-  for (const uint32_t number : numbers) {
-    bench::print_number(number);
-  }
-  board::print("\n");
+  bench::print_row("bound", px, px * px, board::count_instructions(work),
+                   stack);
   return true;
 }
 
@@ -98,13 +92,11 @@ bool measure(uint32_t depth, int32_t px) {
 int main(int argc, char** argv) {
   const uint32_t depth = argc < 3 ? 0 : bench::parse(argv[1]);
   if (depth < kMinDepth || depth > format::glyph::kMaxTileLog2) {
-    board::print("usage: DEPTH PX...\n");
-    return 1;
+    return bench::fail("usage: DEPTH PX...");
   }
   for (int i = 2; i < argc; ++i) {
     if (!measure(depth, static_cast<int32_t>(bench::parse(argv[i])))) {
-      board::print("the size does not fit\n");
-      return 1;
+      return bench::fail("the size does not fit");
     }
   }
   return 0;

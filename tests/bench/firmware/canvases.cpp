@@ -10,14 +10,12 @@
 #include "board.hpp"
 #include "console.hpp"
 #include "counter.hpp"
-#include "semihosting.hpp"
 #include "stack.hpp"
 
 namespace {
 
 using namespace inkcell;
 using bench::parse;
-using bench::print_number;
 
 constexpr size_t kMostLent = 4096;
 constexpr size_t kPixelBytes = kCanvasWidth * kCanvasHeight * kCanvasMostBytes;
@@ -26,12 +24,8 @@ alignas(4) uint8_t pixels[kPixelBytes];
 alignas(8) uint8_t lent[kMostLent];
 
 bool open_font(const char* name) {
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
-  const auto size = static_cast<size_t>(length);
-  return length >= 0 && size <= sizeof font_bytes &&
-         semihosting::read(file, font_bytes, size) &&
-         canvas_open_font(font_bytes, size);
+  return canvas_open_font(
+      font_bytes, bench::read_file(name, font_bytes, sizeof font_bytes));
 }
 
 void clear_pixels() {
@@ -57,28 +51,20 @@ void measure(const char* canvas, uint32_t px, const char* text, size_t bytes) {
   const size_t stack = board::count_stack(work);
   clear_pixels();
   const uint32_t instructions = board::count_instructions(work);
-  board::print(canvas);
-  print_number(px);
-  print_number(bytes);
-  print_number(instructions);
-  print_number(stack);
-  print_number(sum_of_pixels());
-  board::print("\n");
+  bench::print_row(canvas, px, bytes, instructions, stack, sum_of_pixels());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 5 || !open_font(argv[1])) {
-    board::print(
-        "usage: FONT TEXT LENT,... PX..., or the font does not open\n");
-    return 1;
+    return bench::fail(
+        "usage: FONT TEXT LENT,... PX..., or the font does not open");
   }
   for (int i = 4; i < argc; ++i) {
     const uint32_t px = parse(argv[i]);
     if (!canvas_set_size(static_cast<int32_t>(px))) {
-      board::print("a size is out of range\n");
-      return 1;
+      return bench::fail("a size is out of range");
     }
     uint32_t number = 0;
     while (const char* const canvas = canvas_set(number++, pixels)) {
@@ -86,8 +72,7 @@ int main(int argc, char** argv) {
       do {
         const size_t bytes = parse(at);
         if (bytes > sizeof lent) {
-          board::print("so much RAM is not lent\n");
-          return 1;
+          return bench::fail("so much RAM is not lent");
         }
         measure(canvas, px, argv[2], bytes);
         while (*at != '\0' && *at != ',') {

@@ -22,26 +22,11 @@ namespace {
 using namespace inkcell;
 using bench::open_font;
 using bench::parse;
-using bench::print_number;
+using bench::Total;
 
 alignas(4) uint8_t font_bytes[1 << 20];
 alignas(4) uint8_t ram[1 << 18];
 constexpr uint8_t kUntouched = 0xa5;
-
-struct Total {
-  uint32_t sum = 0;
-  uint32_t most = 0;
-
-  void add(uint32_t value) {
-    sum += value;
-    most = value > most ? value : most;
-  }
-};
-
-void print_total(const Total& total, uint32_t count) {
-  print_number((total.sum + count / 2) / count);
-  print_number(total.most);
-}
 
 // What is left between nodes and cells while the field grows: afterwards cells
 // lie in it, and what nobody wrote to.
@@ -59,7 +44,6 @@ bool measure(const Font& font,
              uint32_t first,
              uint32_t last,
              const FieldLimits& limits) {
-  uint32_t glyphs = 0;
   Total instructions;
   Total stack;
   Total records;
@@ -85,19 +69,13 @@ bool measure(const Font& font,
     }
     records.add(static_cast<uint32_t>(record_bytes(field)));
     buffers.add(static_cast<uint32_t>(sizeof ram) - free_bytes(field));
-    ++glyphs;
   }
-  if (glyphs == 0) {
+  if (instructions.count == 0) {
     return false;
   }
-  board::print("field");
-  print_number(static_cast<uint32_t>(limits.tolerance.raw));
-  print_number(glyphs);
-  print_total(instructions, glyphs);
-  print_number(stack.most);
-  print_total(records, glyphs);
-  print_total(buffers, glyphs);
-  board::print("\n");
+  bench::print_row("field", limits.tolerance.raw, instructions.count,
+                   instructions.mean(), instructions.most, stack.most,
+                   records.mean(), records.most, buffers.mean(), buffers.most);
   return true;
 }
 
@@ -106,16 +84,14 @@ bool measure(const Font& font,
 int main(int argc, char** argv) {
   Font font;
   if (argc < 6 || !open_font(argv[1], font_bytes, font)) {
-    board::print("usage: FONT FIRST LAST BAND TOLERANCE...\n");
-    return 1;
+    return bench::fail("usage: FONT FIRST LAST BAND TOLERANCE...");
   }
   for (int i = 5; i < argc; ++i) {
     FieldLimits limits;
     limits.band_u = static_cast<int32_t>(parse(argv[4]));
     limits.tolerance.raw = static_cast<int32_t>(parse(argv[i]));
     if (!measure(font, parse(argv[2]), parse(argv[3]), limits)) {
-      board::print("no glyphs, a limit out of range, or too little RAM\n");
-      return 1;
+      return bench::fail("no glyphs, a limit out of range, or too little RAM");
     }
   }
   return 0;

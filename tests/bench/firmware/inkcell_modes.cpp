@@ -49,30 +49,32 @@ bool set_fit(Style& style, bool across) {
   return Fit::make(bench::font, style, options, fit) == Status::ok;
 }
 
+template <typename Kind>
+bool set(Style& style, const Kind& effect) {
+  style.set_effect(effect);
+  return true;
+}
+
 bool set_lcd(Style& style, SubPixels order) {
   is_coloured = true;
   port::set_sub_pixels(colour_canvas);
   lcd.order = order;
-  style.set_effect(lcd);
-  return true;
+  return set(style, lcd);
 }
 
 bool set_adaptive(Style& style, Q6_10 radius, SampleRule rule) {
   if (bench::font.has_outlines() && rule == SampleRule::even) {
     supersample = Supersample(radius);
-    style.set_effect(supersample);
-    return true;
+    return set(style, supersample);
   }
   circle_samples = CircleSamples(kFilterText, radius, rule);
-  style.set_effect(circle_samples);
-  return true;
+  return set(style, circle_samples);
 }
 
 // The inner edge of an outline of 1 px: no font is too narrow for it.
 bool set_bilevel(Style& style, uint8_t levels) {
   bilevel.levels = levels;
-  style.set_effect(bilevel);
-  return true;
+  return set(style, bilevel);
 }
 
 bool set_filter(Style& style, const Filter& made) {
@@ -90,16 +92,11 @@ constexpr Mode kModes[] = {
     {"plain", [](Style&) { return true; }},
     {"fitted", [](Style& style) { return set_fit(style, false); }},
     {"fitted_stems", [](Style& style) { return set_fit(style, true); }},
-    {"outline",
-     [](Style& style) {
-       style.set_effect(kStroke);
-       return true;
-     }},
+    {"outline", [](Style& style) { return set(style, kStroke); }},
     {"outline_and_fill",
      [](Style& style) {
        stroke_and_fill.fill = &bench::sink;
-       style.set_effect(stroke_and_fill);
-       return true;
+       return set(style, stroke_and_fill);
      }},
     {"bold",
      [](Style& style) {
@@ -115,16 +112,8 @@ constexpr Mode kModes[] = {
      }},
     {"bilevel_1_bit", [](Style& style) { return set_bilevel(style, 2); }},
     {"bilevel_2_bits", [](Style& style) { return set_bilevel(style, 4); }},
-    {"perceptual",
-     [](Style& style) {
-       style.set_effect(kContrast);
-       return true;
-     }},
-    {"motion_blur_3_px",
-     [](Style& style) {
-       style.set_effect(kBlur);
-       return true;
-     }},
+    {"perceptual", [](Style& style) { return set(style, kContrast); }},
+    {"motion_blur_3_px", [](Style& style) { return set(style, kBlur); }},
     {"adaptive_even",
      [](Style& style) {
        return set_adaptive(style, kSharpRadius, SampleRule::even);

@@ -53,7 +53,7 @@ namespace {
 
 using namespace inkcell;
 using bench::open_font;
-using bench::print_number;
+using bench::Total;
 
 constexpr int32_t kMostWidth = 320;
 constexpr int32_t kMostHeight = 240;
@@ -69,19 +69,6 @@ const Workspace lent(ram, sizeof ram);
 motion::GridHistogram scratch;
 Rect dirty_room[8];
 Font font;
-
-struct Total {
-  uint32_t sum = 0;
-  uint32_t most = 0;
-  uint32_t count = 0;
-
-  void add(uint32_t value) {
-    sum += value;
-    most = value > most ? value : most;
-    ++count;
-  }
-  uint32_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
-};
 
 template <typename Work>
 void count(const Work& work, Total& instructions, uint32_t& stack) {
@@ -125,15 +112,9 @@ bool measure_morph(int32_t px, int32_t scale_log2) {
           frames, stack);
     }
   }
-  board::print("morph");
-  print_number(static_cast<uint32_t>(px));
-  print_number(static_cast<uint32_t>(scale_log2));
-  print_number(frames.mean());
-  print_number(frames.most);
-  print_number(sets.most);
-  print_number(stack);
-  print_number(sizeof morph + sizeof scratch + motion::morph_bytes(box));
-  board::print("\n");
+  bench::print_row("morph", px, scale_log2, frames.mean(), frames.most,
+                   sets.most, stack,
+                   sizeof morph + sizeof scratch + motion::morph_bytes(box));
   return true;
 }
 
@@ -166,13 +147,8 @@ bool measure_outline_morph(int32_t px) {
     }
   }
   if (frames.count != 0) {
-    board::print("outline_morph");
-    print_number(static_cast<uint32_t>(px));
-    print_number(frames.mean());
-    print_number(frames.most);
-    print_number(plain.mean());
-    print_number(stack);
-    board::print("\n");
+    bench::print_row("outline_morph", px, frames.mean(), frames.most,
+                     plain.mean(), stack);
   }
   return true;
 }
@@ -234,13 +210,9 @@ bool measure_particles() {
         },
         dots, stack);
   }
-  board::print("particles");
-  print_number(kCount);
-  print_number((steps.mean() + kCount / 2) / kCount);
-  print_number((pulls.mean() + kCount / 2) / kCount);
-  board::print("\ndot");
-  print_number(dots.mean());
-  board::print("\n");
+  bench::print_row("particles", kCount, (steps.mean() + kCount / 2) / kCount,
+                   (pulls.mean() + kCount / 2) / kCount);
+  bench::print_row("dot", dots.mean());
   return true;
 }
 
@@ -270,12 +242,9 @@ bool measure_level_set() {
     count([&] { simulation::redistance(next, field); }, sweeps, stack);
   }
   // [1/10 of an instruction a sample]
-  board::print("level_set");
-  print_number(kSide);
-  print_number((flows.mean() * 10 + kSamples / 2) / kSamples);
-  print_number((sweeps.mean() * 10 + kSamples / 2) / kSamples);
-  print_number(stack);
-  board::print("\n");
+  bench::print_row("level_set", kSide,
+                   (flows.mean() * 10 + kSamples / 2) / kSamples,
+                   (sweeps.mean() * 10 + kSamples / 2) / kSamples, stack);
   return true;
 }
 
@@ -345,17 +314,10 @@ bool measure_scene(const char* name) {
     }));
     count([&] { draw(scene, screen); }, whole, stack);
   }
-  board::print(name);
-  print_number(static_cast<uint32_t>(width));
-  print_number(static_cast<uint32_t>(height));
-  print_number(changed.mean());
-  print_number(changed.most);
-  print_number(whole.mean());
-  print_number(stack);
-  print_number(sizeof(Scene) + needs.grid +
-               needs.particles * sizeof *particles +
-               needs.homes * sizeof *homes);
-  board::print("\n");
+  bench::print_row(
+      name, width, height, changed.mean(), changed.most, whole.mean(), stack,
+      sizeof(Scene) + needs.grid + needs.particles * sizeof *particles +
+          needs.homes * sizeof *homes);
   return true;
 }
 
@@ -372,8 +334,7 @@ bool measure_recipe(const char* name) {
 
 int main(int argc, char** argv) {
   if (argc != 2 || !open_font(argv[1], font_bytes, font)) {
-    board::print("usage: FONT\n");
-    return 1;
+    return bench::fail("usage: FONT");
   }
   const bool is_measured =
       measure_recipe<scenes::CountScene>("count") &&
@@ -403,8 +364,7 @@ int main(int argc, char** argv) {
       measure_scene<scenes::ParticleScene, 320, 240>("particle_text") &&
       measure_scene<scenes::ParticleScene, 128, 64>("particle_text");
   if (!is_measured) {
-    board::print("a scene does not open, or the RAM is too small\n");
-    return 1;
+    return bench::fail("a scene does not open, or the RAM is too small");
   }
   return 0;
 }

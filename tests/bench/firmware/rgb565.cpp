@@ -24,7 +24,6 @@ namespace {
 using namespace inkcell;
 using bench::open_font;
 using bench::parse;
-using bench::print_number;
 
 constexpr int32_t kWidth = 640;
 constexpr int32_t kRows = 16;
@@ -58,12 +57,7 @@ bool measure_run(const Font& font, int32_t px) {
     instructions += board::count_instructions(work);
     strips += 1;
   }
-  board::print("run");
-  print_number(static_cast<uint32_t>(px));
-  print_number(instructions);
-  print_number(stack);
-  print_number(strips);
-  board::print("\n");
+  bench::print_row("run", px, instructions, stack, strips);
   return true;
 }
 
@@ -83,12 +77,9 @@ bool measure_blend() {
   };
   const uint32_t partly_100 = (partly(32) - partly(16)) * 100 / 16;
   const uint32_t solid_100 = (solid(512) - solid(256)) * 100 / 256;
-  board::print("blend");
-  print_number(partly_100);
-  print_number(solid_100);
-  print_number(partly(16) - 16 * partly_100 / 100);
-  print_number(solid(256) - 256 * solid_100 / 100);
-  board::print("\n");
+  bench::print_row("blend", partly_100, solid_100,
+                   partly(16) - 16 * partly_100 / 100,
+                   solid(256) - 256 * solid_100 / 100);
   return true;
 }
 
@@ -97,13 +88,11 @@ bool measure_blend() {
 int main(int argc, char** argv) {
   Font font;
   if (argc < 3 || !open_font(argv[1], font_bytes, font)) {
-    board::print("usage: FONT PX..., or the font does not open\n");
-    return 1;
+    return bench::fail("usage: FONT PX..., or the font does not open");
   }
   for (int i = 2; i < argc; ++i) {
     if (!measure_run(font, static_cast<int32_t>(parse(argv[i])))) {
-      board::print("a size is out of range\n");
-      return 1;
+      return bench::fail("a size is out of range");
     }
   }
   return measure_blend() ? 0 : 1;

@@ -1,9 +1,9 @@
 // ROM fonts that the programs are given.
 #pragma once
 
+#include "console.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
-#include "semihosting.hpp"
 
 namespace bench {
 
@@ -13,12 +13,9 @@ inline bool open_font(const char* name,
                       inkcell::Span<uint8_t> bytes,
                       inkcell::Font& font) {
   using namespace inkcell;
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
-  const auto size = static_cast<size_t>(length);
-  return length >= 0 && size <= bytes.size &&
-         semihosting::read(file, bytes.data, size) &&
-         open_any_font({bytes.data, size}, font) == Status::ok;
+  const Span<const uint8_t> rom = {bytes.data,
+                                   read_file(name, bytes.data, bytes.size)};
+  return open_any_font(rom, font) == Status::ok;
 }
 
 }  // namespace bench

@@ -10,43 +10,35 @@
 #include "console.hpp"
 #include "counter.hpp"
 #include "engine.h"
-#include "semihosting.hpp"
 #include "stack.hpp"
 
 namespace {
 
 using namespace inkcell;
 using bench::parse;
-using bench::print_number;
 
 constexpr size_t kFontBytes = 1 << 20;
 alignas(4) uint8_t font_bytes[kFontBytes];
 
-struct Total {
-  uint32_t glyphs = 0;
-  uint32_t sum = 0;
-  uint32_t most = 0;
-  uint32_t stack = 0;
-  uint32_t ink = 0;
-  uint32_t box = 0;
+struct Size {
+  bench::Total instructions;
+  bench::Total stack;
+  bench::Total ink;
+  bench::Total box;
 };
 
-bool add_glyph(uint32_t code_point, Total& total) {
+bool add_glyph(uint32_t code_point, Size& size) {
   const auto work = [code_point] { engine_draw(code_point); };
   const engine_answer answer = engine_prepare(code_point);
   if (answer != engine_ready) {
     return answer == engine_lacks;
   }
   // First, so that what an engine allocates once is not counted.
-  const auto stack = static_cast<uint32_t>(board::count_stack(work));
+  size.stack.add(static_cast<uint32_t>(board::count_stack(work)));
   engine_prepare(code_point);
-  const uint32_t count = board::count_instructions(work);
-  total.glyphs += 1;
-  total.sum += count;
-  total.most = count > total.most ? count : total.most;
-  total.stack = stack > total.stack ? stack : total.stack;
-  total.ink += engine_ink();
-  total.box += engine_box();
+  size.instructions.add(board::count_instructions(work));
+  size.ink.add(engine_ink());
+  size.box.add(engine_box());
   return true;
 }
 
@@ -69,71 +61,51 @@ bool counter_is_exact() {
   return loop(11000) - loop(1000) == 20000;
 }
 
-bool fail(const char* why) {
-  board::print(why);
-  board::print("\n");
-  return false;
-}
-
-bool run_size(uint32_t px, const char* way, uint32_t first, uint32_t last) {
+// Why a size cannot be measured, or null.
+const char* run_size(uint32_t px,
+                     const char* way,
+                     uint32_t first,
+                     uint32_t last) {
   if (!engine_set_size(px, way)) {
-    return fail("the engine refuses the size or the way");
+    return "the engine refuses the size or the way";
   }
-  Total total;
+  Size size;
   for (uint32_t code_point = first; code_point <= last; ++code_point) {
-    if (!add_glyph(code_point, total)) {
-      return fail("a glyph is larger than there is room for");
+    if (!add_glyph(code_point, size)) {
+      return "a glyph is larger than there is room for";
     }
   }
-  if (total.glyphs == 0) {
-    return fail("the font has none of the characters");
+  if (size.instructions.count == 0) {
+    return "the font has none of the characters";
   }
-  board::print("size");
-  print_number(px);
-  print_number(total.glyphs);
-  print_number((total.sum + total.glyphs / 2) / total.glyphs);
-  print_number(total.most);
-  print_number(total.stack);
-  print_number(engine_heap());
-  print_number(engine_workspace());
-  print_number(total.ink);
-  print_number(total.box);
-  board::print("\n");
-  return true;
-}
-
-bool open_font(const char* name) {
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  if (file < 0) {
-    return fail("there is no such font");
-  }
-  const intptr_t length = semihosting::length(file);
-  const auto size = static_cast<size_t>(length);
-  if (length < 0 || size > kFontBytes ||
-      !semihosting::read(file, font_bytes, size)) {
-    return fail("the font cannot be read, or is larger than 1 MB");
-  }
-  semihosting::close(file);
-  return engine_open(font_bytes, size) || fail("the font does not open");
+  bench::print_row("size", px, size.instructions.count,
+                   size.instructions.mean(), size.instructions.most,
+                   size.stack.most, engine_heap(), engine_workspace(),
+                   size.ink.sum, size.box.sum);
+  return nullptr;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 6) {
-    fail("usage: FONT WAY FIRST LAST PX...");
-    return 1;
+    return bench::fail("usage: FONT WAY FIRST LAST PX...");
   }
   if (!counter_is_exact()) {
-    fail("the counter is not exact");
-    return 1;
+    return bench::fail("the counter is not exact");
   }
-  if (!open_font(argv[1])) {
-    return 1;
+  const size_t size = bench::read_file(argv[1], font_bytes, sizeof font_bytes);
+  if (size == 0) {
+    return bench::fail("the font cannot be read, or is larger than 1 MB");
+  }
+  if (!engine_open(font_bytes, size)) {
+    return bench::fail("the font does not open");
   }
   for (int i = 5; i < argc; ++i) {
-    if (!run_size(parse(argv[i]), argv[2], parse(argv[3]), parse(argv[4]))) {
-      return 1;
+    const char* const why =
+        run_size(parse(argv[i]), argv[2], parse(argv[3]), parse(argv[4]));
+    if (why != nullptr) {
+      return bench::fail(why);
     }
   }
   return 0;

@@ -17,7 +17,6 @@
 #include "counter.hpp"
 #include "heap.h"
 #include "inkcell/lvgl/inkcell_lvgl.h"
-#include "semihosting.hpp"
 #include "stack.hpp"
 
 LV_FONT_DECLARE(lv_14_raw)
@@ -29,7 +28,6 @@ namespace {
 
 using namespace inkcell;
 using bench::parse;
-using bench::print_number;
 
 enum Label { kBlank, kRaw, kRle, kBitmap, kFitted, kDirect, kCached };
 constexpr int kLabel = INKCELL_LABEL;
@@ -79,14 +77,6 @@ const lv_font_t* font_of(uint32_t px) {
     }
     return result == LV_RESULT_OK ? &own.font.lv : nullptr;
   }
-}
-
-bool read_rom(const char* name) {
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
-  rom_bytes = static_cast<size_t>(length);
-  return length >= 0 && rom_bytes <= sizeof rom &&
-         semihosting::read(file, rom, rom_bytes);
 }
 
 lv_display_t* make_screen(int32_t width, int32_t height, int32_t rows) {
@@ -162,32 +152,24 @@ bool run(uint32_t px, char** arguments) {
   const Cost space = draw(display, label, " ");
   const Cost text = draw(display, label, arguments[0]);
   lv_deinit();
-  board::print("label");
-  print_number(px);
-  print_number(more(text.first, space.first));
-  print_number(more(text.later, space.later));
-  print_number(more(text.stack, space.stack));
-  print_number(more(text.heap, space.heap));
-  board::print("\n");
+  bench::print_row("label", px, more(text.first, space.first),
+                   more(text.later, space.later), more(text.stack, space.stack),
+                   more(text.heap, space.heap));
   return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 8 || !read_rom(argv[1])) {
-    board::print("usage: FONT TEXT Y WIDTH HEIGHT ROWS PX...\n");
-    return 1;
+  rom_bytes = argc < 8 ? 0 : bench::read_file(argv[1], rom, sizeof rom);
+  if (rom_bytes == 0) {
+    return bench::fail("usage: FONT TEXT Y WIDTH HEIGHT ROWS PX...");
   }
   for (int i = 7; i < argc; ++i) {
     if (!run(parse(argv[i]), argv + 2)) {
-      board::print("the font does not open\n");
-      return 1;
+      return bench::fail("the font does not open");
     }
   }
-  board::print("object");
-  print_number(kFontBytes);
-  print_number(kCacheBytes);
-  board::print("\n");
+  bench::print_row("object", kFontBytes, kCacheBytes);
   return 0;
 }
