@@ -8,6 +8,8 @@ import json
 import subprocess
 import sys
 
+from peers import say
+
 # What is compared; all else tells results apart.
 MEASURES = ("instructions_mean", "instructions_max", "instructions", "stack",
             "code", "workspace", "ram", "glyphs", "area", "text", "matrix",
@@ -26,10 +28,6 @@ LIMITED.update(dict.fromkeys(
     "code"))
 # Those that follow from others.
 LEFT_OUT = ("over_plain", "over_upright", "over_bitmap", "per_pixel")
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
 
 
 def export(root, revision, folder):

@@ -20,7 +20,6 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -33,6 +32,7 @@ import figures  # noqa: E402
 import lvgl  # noqa: E402
 import peers  # noqa: E402
 import report  # noqa: E402
+from peers import run, say  # noqa: E402
 
 DEFAULT_FONTS = [
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
@@ -200,21 +200,6 @@ def is_rom_font(font):
 def coding_of(font):
     """Of a ROM font: docs/FORMAT.md, `coding`."""
     return ROM_CODINGS[font.read_bytes()[39]]
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
-
-
-def run(*command, **options):
-    """Runs a command quietly; its output is shown if it fails."""
-    done = subprocess.run([str(part) for part in command],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, check=False, **options)
-    if done.returncode != 0:
-        sys.exit(f"{done.stdout[-4000:]}\nbench: failed: "
-                 f"{' '.join(str(part) for part in command)}")
-    return done.stdout
 
 
 def in_parallel(function, jobs):

@@ -18,6 +18,7 @@ def say(text):
 
 
 def run(*command, **options):
+    """Runs a command quietly; its output is shown if it fails."""
     done = subprocess.run([str(part) for part in command], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           check=False, **options)

@@ -1,10 +1,10 @@
 """What the bench measured, as tables and as docs/BENCHMARKS.md."""
 import re
 import subprocess
-import sys
 
 import peers
 from figures import DOCS
+from peers import say
 
 DOCUMENT = DOCS / "BENCHMARKS.md"
 COMMAND = "sh tests/bench/run.sh --write-docs"
@@ -101,10 +101,6 @@ What one glyph costs, beside FreeType and stb_truetype, and in LVGL. Written by
 """
 
 
-def say(text):
-    print(text, file=sys.stderr, flush=True)
-
-
 def coding_of(result):
     """The coding, and the filter if it is not one of distance."""
     area = ", area" if result["way"] == "area" else ""
@@ -169,32 +165,9 @@ def thousands(instructions):
     return f"{count:.1f}" if count < 100 else f"{count:.0f}"
 
 
-def ratio_tables(results):
-    """FreeType's instructions over Inkcell's."""
-    freetype = freetype_counts(results)
-    text = ("## FreeType over Inkcell\n\nFreeType's instructions for the mean "
-            "glyph divided by Inkcell's: above 1, Inkcell is\nfaster.\n\n")
-    for opt in unique(r["opt"] for r in results):
-        for font in unique(r["font"] for r in results):
-            some = [r for r in results if r["opt"] == opt and
-                    r["font"] == font and r["engine"] == "inkcell"]
-            sizes = unique(r["px"] for r in some)
-            rows = []
-            for name in unique(kind(r) for r in some):
-                means = {r["px"]: freetype[r["cpu"], opt, font, r["px"]] /
-                         r["instructions_mean"]
-                         for r in some if kind(r) == name}
-                rows.append([", ".join(name)] +
-                            [f"{means[px]:.2f}" for px in sizes])
-            text += f"{font}, -{opt}:\n\n"
-            text += table(["core, coding"] + [f"{px} px" for px in sizes], rows)
-    return text
-
-
-def count_tables(results):
-    """Instructions of the mean and the worst glyph."""
-    text = ("## Instructions\n\nThousands of instructions for the mean glyph "
-            "(the worst one).\n\n")
+def glyph_tables(results, title, head, cell):
+    """A table for each level of optimisation and font, its columns sizes."""
+    text = title + "\n\n"
     for opt in unique(r["opt"] for r in results):
         for font in unique(r["font"] for r in results):
             some = [r for r in results if r["opt"] == opt and
@@ -202,13 +175,35 @@ def count_tables(results):
             sizes = unique(r["px"] for r in some)
             rows = []
             for name in unique(kind(r) for r in some):
-                cells = {r["px"]: f"{thousands(r['instructions_mean'])} "
-                         f"({thousands(r['instructions_max'])})"
-                         for r in some if kind(r) == name}
+                cells = {r["px"]: cell(r) for r in some if kind(r) == name}
                 rows.append([", ".join(name)] + [cells[px] for px in sizes])
             text += f"{font}, -{opt}:\n\n"
-            text += table(["core, engine"] + [f"{px} px" for px in sizes], rows)
+            text += table([head] + [f"{px} px" for px in sizes], rows)
     return text
+
+
+def ratio_tables(results):
+    """FreeType's instructions over Inkcell's."""
+    freetype = freetype_counts(results)
+
+    def ratio(r):
+        other = freetype[r["cpu"], r["opt"], r["font"], r["px"]]
+        return f"{other / r['instructions_mean']:.2f}"
+
+    return glyph_tables(
+        [r for r in results if r["engine"] == "inkcell"],
+        "## FreeType over Inkcell\n\nFreeType's instructions for the mean "
+        "glyph divided by Inkcell's: above 1, Inkcell is\nfaster.",
+        "core, coding", ratio)
+
+
+def count_tables(results):
+    """Instructions of the mean and the worst glyph."""
+    return glyph_tables(
+        results, "## Instructions\n\nThousands of instructions for the mean "
+        "glyph (the worst one).", "core, engine",
+        lambda r: f"{thousands(r['instructions_mean'])} "
+                  f"({thousands(r['instructions_max'])})")
 
 
 def stack_table(results):
@@ -333,34 +328,28 @@ def code_table(results, figures):
             table(["core", *KEPT_HEAD, *ENGINES.values()], rows))
 
 
-def bound_table(figures):
-    """What no glyph exceeds."""
-    some = [f for f in figures if f["figure"] == "bound"]
-    sizes = unique(f["px"] for f in some)
-    rows = []
-    for cpu, opt in unique((f["cpu"], f["opt"]) for f in some):
-        cells = {f["px"]: f"{f['per_pixel']}, {f['stack']}" for f in some
-                 if (f["cpu"], f["opt"]) == (cpu, opt)}
-        rows.append([f"{CORES[cpu]}, -{opt}"] + [cells[px] for px in sizes])
-    return ("## Bounds\n\nUpright glyphs of fields, trees of depth 8: "
-            "instructions a pixel of the dearest glyph that bytes can\n"
-            "describe, and bytes of stack.\n\n" +
-            table([""] + [f"{px} px" for px in sizes], rows))
-
-
-def sized_table(figures, name, title, cell):
+def sized_table(figures, name, title, cell,
+                keys=("cpu", "opt", "font", "coding")):
     """A table with a row for each core, optimisation, font and coding."""
     some = [f for f in figures if f["figure"] == name]
     sizes = unique(f["px"] for f in some)
     rows = []
-    for about in unique((f["cpu"], f["opt"], f["font"], f["coding"])
-                        for f in some):
+    for about in unique(tuple(f[key] for key in keys) for f in some):
         cells = {f["px"]: cell(f) for f in some
-                 if (f["cpu"], f["opt"], f["font"], f["coding"]) == about}
-        cpu, opt, font, coding = about
-        rows.append([f"{CORES[cpu]}, -{opt}, {font}, {coding}"] +
+                 if tuple(f[key] for key in keys) == about}
+        cpu, opt, *more = about
+        rows.append([", ".join([CORES[cpu], f"-{opt}", *more])] +
                     [cells[px] for px in sizes])
     return f"{title}\n\n" + table([""] + [f"{px} px" for px in sizes], rows)
+
+
+def bound_table(figures):
+    """What no glyph exceeds."""
+    return sized_table(
+        figures, "bound", "## Bounds\n\nUpright glyphs of fields, trees of "
+        "depth 8: instructions a pixel of the dearest glyph that bytes can\n"
+        "describe, and bytes of stack.",
+        lambda f: f"{f['per_pixel']}, {f['stack']}", ("cpu", "opt"))
 
 
 SMALLEST_TEXT = {
