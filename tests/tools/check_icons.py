@@ -1,17 +1,11 @@
 #!/usr/bin/env python3
 """Draws icons with the device's code and with librsvg, and compares pixels."""
 
-import argparse
 import json
 import pathlib
-import tempfile
-import unittest
 
 from png import read_png
-from programs import PROGRAMS, run
-
-SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
+from programs import SANS, SERIF, FolderCase, main, run
 
 # The font's own tolerance, and 1/255 for the samples that stand for an area.
 LIMIT = 16 + 1
@@ -78,30 +72,25 @@ def averaged(rows, size):
     return means
 
 
-class Icons(unittest.TestCase):
+class Icons(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
-        icons = cls.folder / "icons"
+        super().setUpClass()
+        icons = cls.path / "icons"
         icons.mkdir()
         for name, text in ICONS.items():
             (icons / f"{name}.svg").write_text(text.replace(
                 "<svg ", "<svg xmlns='http://www.w3.org/2000/svg' ", 1))
-        cls.font = cls.folder / "icons.bin"
-        report = cls.folder / "icons.json"
+        cls.font = cls.path / "icons.bin"
+        report = cls.path / "icons.json"
         run("fontgen", "--svg-dir", icons, "--svg-baseline", "bottom",
             "--min-px", SIZES[0], "--max-px", SIZES[-1], "--report", report,
             "--out", cls.font, "--quiet")
         cls.report = json.loads(report.read_text())
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
     def drawn(self, name, px, width):
         """The icon by the device's code, its viewBox as the picture."""
-        out = self.folder / "drawn.png"
+        out = self.path / "drawn.png"
         code = self.report["icons"][name.capitalize()]
         run("render", "--font", self.font, "--text", chr(code), "--px", px,
             "--filter", "area", "--width", width, "--height", px, "--ox", 0,
@@ -110,9 +99,9 @@ class Icons(unittest.TestCase):
         return [row[::channels] for row in rows]
 
     def reference(self, name, px, width):
-        out = self.folder / "reference.png"
+        out = self.path / "reference.png"
         run("rsvg", "--width", width * SAMPLES, "--height", px * SAMPLES,
-            "--output", out, self.folder / "icons" / f"{name}.svg")
+            "--output", out, self.path / "icons" / f"{name}.svg")
         return averaged(opacity_rows(out), width)
 
     def test_pixels_are_those_of_librsvg(self):
@@ -130,17 +119,17 @@ class Icons(unittest.TestCase):
                     self.assertGreater(max(map(max, wanted)), 200)
 
     def test_merged_faces_draw_as_their_own_fonts(self):
-        merged = self.folder / "merged.bin"
+        merged = self.path / "merged.bin"
         run("fontgen", "--font", SANS, "--chars", "A-M", "--merge",
-            f"{SERIF}=N-Z", "--svg", f"{self.folder}/icons/heart.svg=0x2665",
+            f"{SERIF}=N-Z", "--svg", f"{self.path}/icons/heart.svg=0x2665",
             "--out", merged, "--quiet")
         for face, text in ((SANS, "ABGKM"), (SERIF, "NOQTVWXYZ")):
-            own = self.folder / "own.bin"
+            own = self.path / "own.bin"
             run("fontgen", "--font", face, "--chars", f"{text[0]}-{text[-1]}",
                 "--out", own, "--quiet")
             pictures = []
             for font in (merged, own):
-                out = self.folder / "text.png"
+                out = self.path / "text.png"
                 run("render", "--font", font, "--text", text, "--px", 21,
                     "--filter", "area", "--width", 300, "--height", 30,
                     "--ox", 3, "--oy", 24, "--out", out)
@@ -154,9 +143,9 @@ class Icons(unittest.TestCase):
         icon = pathlib.Path(__file__).parents[1] / "icons/wifi.svg"
         points = []
         for face in ((), ("--font", SANS, "--chars", "A")):
-            report = self.folder / "wifi.json"
+            report = self.path / "wifi.json"
             run("fontgen", *face, "--svg", f"{icon}=0xE001", "--out",
-                self.folder / "wifi.bin", "--report", report, "--quiet")
+                self.path / "wifi.bin", "--report", report, "--quiet")
             points.append(
                 json.loads(report.read_text())["points_per_glyph"]["\ue001"])
         self.assertLessEqual(max(points), 60, points)
@@ -167,13 +156,4 @@ class Icons(unittest.TestCase):
         self.assertEqual(codes, list(range(0xE000, 0xE000 + len(ICONS))))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--fontgen", required=True)
-    parser.add_argument("--render", required=True)
-    parser.add_argument("--rsvg", required=True)
-    PROGRAMS.update(vars(parser.parse_args()))
-    unittest.main(argv=["check_icons.py"])
-
-
-main()
+main("fontgen", "render", "rsvg")

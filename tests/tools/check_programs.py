@@ -1,21 +1,15 @@
 #!/usr/bin/env python3
 """Runs the host tools as a person would, and looks at what they write."""
 
-import argparse
 import itertools
 import json
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 
-from programs import PROGRAMS, run
+from programs import INTER, PROGRAMS, SANS, SERIF, FolderCase, main, run
 
-SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
-INTER = "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"  # wght 100..900
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
 
 # Every coding, and the options that choose it.
@@ -51,21 +45,16 @@ class Ppm(Pgm):
         return self.pixels[i::3]
 
 
-class Tools(unittest.TestCase):
+class Tools(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="inkcell")
-        cls.path = pathlib.Path(cls.folder.name)
+        super().setUpClass()
         cls.fonts = {}
         for name, options in CODINGS.items():
             cls.fonts[name] = cls.path / f"{name}.bin"
             run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px",
                 "32", *options, "--quiet", "--out", cls.fonts[name])
         cls.font = cls.fonts["field"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def render(self, *arguments, font=None):
         out = self.path / "out.pgm"
@@ -140,9 +129,8 @@ class Tools(unittest.TestCase):
         run("render", f"--font={self.font}", "--text=", "--invert", "--px=9",
             f"--out={out}")
         self.assertEqual(Pgm(out).ink(), 255 * len(Pgm(out).pixels))
-        self.assertIn("--symbols: it is empty", run(
-            "fontgen", "--font", SANS, "--symbols=", "--quiet", "--out",
-            self.path / "empty.bin", code=1))
+        self.refused("--symbols: it is empty", "fontgen", "--font", SANS,
+                     "--symbols=", "--quiet", "--out", self.path / "empty.bin")
 
     def test_quarter_turn_turns_the_pixels(self):
         # With the origin on a pixel corner a quarter turn moves centres onto
@@ -280,12 +268,11 @@ class Tools(unittest.TestCase):
         self.assertLess(max(area) - min(area), max(text) - min(text))
         draw = ("--text", "a", "--px", 12, "--filter", "area", "--out",
                 self.path / "no.png")
-        self.assertIn("--coding outline", run(
-            "render", "--font", self.font, *draw, code=1))
-        self.assertIn("take a filter of distance", run(
-            "render", "--font", font, *draw, "--weight", 0.25, code=1))
-        self.assertIn("use --samples adaptive", run(
-            "render", "--font", font, *draw, "--samples", "paper", code=1))
+        self.refused("--coding outline", "render", "--font", self.font, *draw)
+        self.refused("take a filter of distance", "render", "--font", font,
+                     *draw, "--weight", 0.25)
+        self.refused("use --samples adaptive", "render", "--font", font, *draw,
+                     "--samples", "paper")
 
     def test_effects_change_pictures(self):
         for coding, font in self.fonts.items():
@@ -387,86 +374,71 @@ class Tools(unittest.TestCase):
     def test_refusals_say_why(self):
         out = self.path / "no.png"
         text = ("--text", "a", "--px", 12, "--out", out)
-        for said, arguments in [
-                ("full not in", ("--font", self.font, *text, "--hint", "full")),
-                ("4 to 1024", ("--font", self.font, "--text", "a", "--px", 3,
-                               "--out", out)),
-                ("is unknown", ("--font", self.font, *text, "--filter", "x")),
-                ("--px is missing", ("--font", self.font, "--text", "a",
-                                     "--out", out)),
-                ("beyond 32767 px", ("--font", self.font, *text, "--ox",
-                                     "1e12")),
-                ("beyond 32767 px", ("--font", self.font, *text, "--dy",
-                                     "nan")),
-                ("16777215 px", ("--font", self.font, *text, "--ox", "1e12",
-                                 "--width", 9)),
-                ("16777215 px", ("--font", self.font, *text, "--oy", "-1e12")),
-                ("give the font a --band-px", ("--font", self.font, *text,
-                                               "--outline", 4)),
-                ("exclude each other", ("--font", self.font, *text, "--levels",
-                                        2, "--samples", "adaptive")),
-                ("exclude each other", ("--font", self.font, *text, "--levels",
-                                        2, "--lcd", "rgb")),
-                ("--samples adaptive", ("--font", self.font, *text, "--radius",
-                                        1)),
-                ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
-                                 "--weight", 0.6)),
-                *(("leave out --filter, or use --levels 4",
-                   ("--font", self.font, *text, "--levels", 2, "--filter",
-                    name)) for name in ("text", "motion")),
-                ("--lcd-colour", ("--font", self.font, *text, "--lcd-colour",
-                                  0.5)),
-                (".png or .ppm", ("--font", self.font, *text[:-1],
-                                  self.path / "no.pgm", "--lcd", "rgb")),
-                ("exclude each other", ("--font", self.font, *text, "--motion",
-                                        "1,0", "--rules", "all")),
-                ("--zoom", ("--font", self.font, *text, "--width", 2000,
-                            "--zoom", 64)),
-                ("degrees", ("--font", self.font, *text, "--angle", "nan")),
+        for said, *options in [
+                ("full not in", "--hint", "full"),
+                ("is unknown", "--filter", "x"),
+                ("beyond 32767 px", "--ox", "1e12"),
+                ("beyond 32767 px", "--dy", "nan"),
+                ("16777215 px", "--ox", "1e12", "--width", 9),
+                ("16777215 px", "--oy", "-1e12"),
+                ("give the font a --band-px", "--outline", 4),
+                ("exclude each other", "--levels", 2, "--samples", "adaptive"),
+                ("exclude each other", "--levels", 2, "--lcd", "rgb"),
+                ("exclude each other", "--motion", "1,0", "--rules", "all"),
+                ("--samples adaptive", "--radius", 1),
+                ("-0.5 to 0.5", "--levels", 2, "--weight", 0.6),
+                *(("leave out --filter, or use --levels 4", "--levels", 2,
+                   "--filter", name) for name in ("text", "motion")),
+                ("--lcd-colour", "--lcd-colour", 0.5),
+                ("--zoom", "--width", 2000, "--zoom", 64),
+                ("degrees", "--angle", "nan"),
                 *((f"--hint {hint} fits upright text only, and --angle turns it",
-                   ("--font", self.font, *text, "--hint", hint, "--angle",
-                    angle))
+                   "--hint", hint, "--angle", angle)
                   for hint in ("vertical", "both") for angle in (1, 90, -180)),
-                *((f"--hint {hint} moves points of outlines",
-                   ("--font", self.font, *text, "--hint", hint))
+                *((f"--hint {hint} moves points of outlines", "--hint", hint)
                   for hint in ("vertical", "both")),
-                *(("make it by inkcell-fontgen --coding field", (
-                    "--font", self.fonts["outline"], *text, "--samples", kind))
+                ("--outline-place is for --outline", "--outline-place",
+                 "inner"),
+                *(("nan is no number", option, "nan") for option in
+                  ("--weight", "--outline", "--radius", "--lcd-colour"))]:
+            self.refused(said, "render", "--font", self.font, *text, *options)
+        for said, *arguments in [
+                ("4 to 1024", self.font, "--text", "a", "--px", 3, "--out",
+                 out),
+                ("--px is missing", self.font, "--text", "a", "--out", out),
+                (".png or .ppm", self.font, *text[:-1], self.path / "no.pgm",
+                 "--lcd", "rgb"),
+                *(("make it by inkcell-fontgen --coding field",
+                   self.fonts["outline"], *text, "--samples", kind)
                   for kind in ("paper", "splats")),
-                ("--outline-place is for --outline", (
-                    "--font", self.font, *text, "--outline-place", "inner")),
-                ("no folder /nowhere", ("--font", self.font, *text[:-1],
-                                        "/nowhere/a.png")),
-                ("end in .png or .pgm", ("--font", SANS, *text[:-1],
-                                         self.path / "a.jpg")),
-                *(("nan is no number", ("--font", self.font, *text, option,
-                                        "nan"))
-                  for option in ("--weight", "--outline", "--radius",
-                                 "--lcd-colour")),
-                ("is a folder; name a file", ("--font", self.path, *text)),
-                ("nowhere", ("--font", "/nowhere.ttf", *text))]:
-            self.assertIn(said, run("render", *arguments, code=1))
+                ("no folder /nowhere", self.font, *text[:-1],
+                 "/nowhere/a.png"),
+                ("end in .png or .pgm", SANS, *text[:-1],
+                 self.path / "a.jpg"),
+                ("is a folder; name a file", self.path, *text),
+                ("nowhere", "/nowhere.ttf", *text)]:
+            self.refused(said, "render", "--font", *arguments)
         self.assertFalse(out.exists())
         still = self.path / "still.jsonl"
         still.write_text(json.dumps({
             "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
             "out": str(self.path / "still.pgm")}))
-        self.assertIn("--samples adaptive", run("render", "--jobs", still,
-                                                "--radius", 1, code=1))
+        self.refused("--samples adaptive", "render", "--jobs", still,
+                     "--radius", 1)
         for option in ("--font", "--text", "--px", "--out", "--dx", "--dy",
                        "--angle", "--width", "--height", "--ox", "--oy",
                        "--zoom", "--rows"):
-            self.assertIn(f"--jobs takes no {option}:",
-                          run("render", "--jobs", still, option, 5, code=1))
+            self.refused(f"--jobs takes no {option}:", "render", "--jobs",
+                         still, option, 5)
         odd = self.path / "odd.jsonl"
         odd.write_text(still.read_text().replace("{", '{"kind": "move",'))
         self.assertIn("odd.jsonl:1: key 'kind' must be \"static\" or \"anim\", "
                       "not \"move\"",
                       run("render", "--jobs", odd, code=1))
-        self.assertIn("is a folder", run("render", "--jobs", self.path, code=1))
+        self.refused("is a folder", "render", "--jobs", self.path)
         cut = self.path / "cut.bin"
         cut.write_bytes(self.font.read_bytes()[:500])
-        self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
+        self.refused("corrupt", "render", "--font", cut, *text)
 
     def job(self, **values):
         """A job of the fewest keys; one that is None is left out."""
@@ -766,8 +738,7 @@ class Tools(unittest.TestCase):
         web.write_bytes(b"wOF2 and so on")
         for out, said in [(fonts / names[0][0], names[0][1]),
                           (mine, names[1][1]), (web, names[1][1])]:
-            self.assertIn(said, run(
-                "fontgen", "--font", SANS, "--out", out, code=1))
+            self.refused(said, "fontgen", "--font", SANS, "--out", out)
         out = fonts / "x.png"
         for arguments in (
                 ("render", "--font", self.font, "--text", "a", "--px", 9,
@@ -776,7 +747,7 @@ class Tools(unittest.TestCase):
                 ("specimen", self.font, "--draw-body", out),
                 ("accuracy", "--font", self.font, "--truth", SANS,
                  "--picture", out)):
-            self.assertIn(names[0][1], run(*arguments, code=1))
+            self.refused(names[0][1], *arguments)
         self.assertFalse(out.exists())
         self.assertEqual(mine.read_bytes(), pathlib.Path(SERIF).read_bytes())
 
@@ -928,21 +899,19 @@ class Tools(unittest.TestCase):
                 self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
                 picture.unlink()
         out = self.path / "no.png"
-        self.assertIn("use --points or --field", run(
-            "inspect", self.fonts["outline"], "--cells", out, code=1))
-        self.assertIn("use --cells or --field", run(
-            "inspect", self.font, "--points", out, code=1))
+        self.refused("use --points or --field", "inspect",
+                     self.fonts["outline"], "--cells", out)
+        self.refused("use --cells or --field", "inspect", self.font,
+                     "--points", out)
         self.assertFalse(out.exists())
         # Progress of the conversion follows, from standard error.
         converted, _ = json.JSONDecoder().raw_decode(
             run("inspect", SANS, "--symbols", "o", "--coding", "field",
                 "--json"))
         self.assertEqual(converted["coding"], "field")
-        self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
-                                      code=1))
-        self.assertIn("4 to 1024 px", run("inspect", self.font, "--sheet",
-                                          self.path / "no.png", "--px", 1e9,
-                                          code=1))
+        self.refused("no glyph", "inspect", self.font, "--glyph", "Z")
+        self.refused("4 to 1024 px", "inspect", self.font, "--sheet",
+                     self.path / "no.png", "--px", 1e9)
 
     def test_size_table_reads_the_reports(self):
         """The table that the demo prints has a column for each coding."""
@@ -1026,8 +995,8 @@ class Tools(unittest.TestCase):
                                 ("--mean-limit", ("--mean-limit", -1)),
                                 ("is no size", ("--sizes", "8-")),
                                 ("is unknown", ("--filter", "x"))]:
-            self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
-                                    SANS, *arguments, code=1))
+            self.refused(said, "accuracy", "--font", self.font, "--truth",
+                         SANS, *arguments)
 
     def test_accuracy_draws_at_random_positions(self):
         """Positions that the generator does not try, and the same again."""
@@ -1066,11 +1035,10 @@ class Tools(unittest.TestCase):
 
     def test_specimen_refuses(self):
         out = self.path / "no.png"
-        self.assertIn("no picture", run("specimen", self.font, code=1))
-        self.assertIn("no picture", run("specimen", self.font, "--width", 500,
-                                        code=1))
-        self.assertIn("a TTF or OTF", run("specimen", self.font,
-                                          "--draw-compare-body", out, code=1))
+        self.refused("no picture", "specimen", self.font)
+        self.refused("no picture", "specimen", self.font, "--width", 500)
+        self.refused("a TTF or OTF", "specimen", self.font,
+                     "--draw-compare-body", out)
         self.assertFalse(out.exists())
 
     def test_specimen_draws(self):
@@ -1097,14 +1065,13 @@ class Tools(unittest.TestCase):
                 self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
                 out.unlink()
         out = self.path / "no.png"
-        self.assertIn("points of outlines", run(
-            "specimen", self.font, "--draw-fitting", out, code=1))
+        self.refused("points of outlines", "specimen", self.font,
+                     "--draw-fitting", out)
         self.assertFalse(out.exists())
         run("specimen", SANS, "--symbols", "Efcts", "--max-px", 16,
             "--draw-effects", self.path / "effects.png")
         out = self.path / "effects.png"
-        self.assertIn("--band-px", run(
-            "specimen", self.font, "--draw-effects", out, code=1))
+        self.refused("--band-px", "specimen", self.font, "--draw-effects", out)
         run("specimen", SANS, "--symbols", "Efcts", *CODINGS["field"],
             "--band-px", 2, "--min-px", 12, "--max-px", 32, "--draw-effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
@@ -1113,8 +1080,7 @@ class Tools(unittest.TestCase):
         for said, out in [("no folder /nowhere", "/nowhere/a.json"),
                           ("-: cannot be written: it is not standard output "
                            "here; name a file", "-")]:
-            self.assertIn(said, run("paper-table", "--chars", "a", "--report",
-                                    out, code=1))
+            self.refused(said, "paper-table", "--chars", "a", "--report", out)
 
     def test_paper_table_counts_in_the_paper_s_range(self):
         out = self.path / "table.json"
@@ -1132,16 +1098,4 @@ class Tools(unittest.TestCase):
                                counts["edge"]["bilinear"])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("fontgen", "render", "inspect", "specimen", "accuracy",
-                 "paper-table"):
-        parser.add_argument("--" + name, required=True)
-    options, rest = parser.parse_known_args()
-    for name, path in vars(options).items():
-        PROGRAMS[name.replace("_", "-")] = path
-    unittest.main(argv=[sys.argv[0], *rest], verbosity=1)
-
-
-if __name__ == "__main__":
-    main()
+main("fontgen", "render", "inspect", "specimen", "accuracy", "paper-table")

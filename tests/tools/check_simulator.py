@@ -10,28 +10,16 @@ without: everything else.
 import argparse
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
-SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-PROGRAMS = {}
+from programs import PROGRAMS, SANS, finished as run
+
 WIDTH, HEIGHT = 128, 64
 # The window of a screenshot, and its panels.
 WINDOW = 1280, 800
 SIDE, BAR, STATUS, ROOM = 352, 46, 30, 26
-
-
-def run(program, *arguments, code=0):
-    done = subprocess.run([PROGRAMS.get(program, program),
-                           *map(str, arguments)],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, check=False)
-    if done.returncode != code:
-        raise AssertionError(f"{program} {arguments}: {done.returncode}, not "
-                             f"{code}\n{done.stdout}{done.stderr}")
-    return done
 
 
 def read_pnm(path):
