@@ -53,10 +53,15 @@ class Faces : public Icons {
   // The first face, an icon at U+E001 and a file with this string, of which
   // nothing may be missing.
   GenerateRequest with_icon(const std::string& line) const {
+    GenerateRequest request = with_string(line);
+    request.svg_files = {write("icon.svg").string() + "=0xE001"};
+    return request;
+  }
+  // The same without an icon.
+  GenerateRequest with_string(const std::string& line) const {
     GenerateRequest request;
     request.target.max_px = 16;
     request.font = folder_.path() / "text.ttf";
-    request.svg_files = {write("icon.svg").string() + "=0xE001"};
     request.string_files = {write("ui.txt", line)};
     request.strict = true;
     return request;
@@ -203,13 +208,9 @@ TEST_F(Faces, StandAndScaleAsAsked) {
 
 // Advances in a string are those of the scaled face.
 TEST_F(Faces, StringsAreScaled) {
-  GenerateRequest request;
-  request.target.max_px = 16;
-  request.font = folder_.path() / "text.ttf";
+  GenerateRequest request = with_string("three = ABA\n");
   request.symbols = "A";
   request.merge = {file("more.ttf") + ":height=0.5"};
-  request.string_files = {write("ui.txt", "three = ABA\n")};
-  request.strict = true;
   const RomFont font = generate(request);
   const auto& glyphs = font.strings.at(0).glyphs;
   ASSERT_EQ(glyphs.size(), 3u);
@@ -312,13 +313,9 @@ TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
 // B, which text.ttf lacks, is 1000 of 2000 units wide, 500 of its 1000. A list
 // limits the characters of a face, but not those of strings.
 TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
-  GenerateRequest request;
-  request.target.max_px = 16;
-  request.font = folder_.path() / "text.ttf";
+  GenerateRequest request = with_string("three = ABA\n");
   request.symbols = "A";
   request.merge = {file("more.ttf") + "=D"};
-  request.string_files = {write("ui.txt", "three = ABA\n")};
-  request.strict = true;
   const RomFont font = generate(request);
   const Font reader = opened(font.bytes);
   const auto& glyphs = font.strings[0].glyphs;
@@ -357,11 +354,9 @@ TEST_F(Faces, StringsHaveIcons) {
 }
 
 TEST_F(Faces, StringsTellWhatNoFaceHas) {
-  GenerateRequest request;
-  request.target.max_px = 16;
-  request.font = folder_.path() / "text.ttf";
+  GenerateRequest request = with_string("one = BZ\n");
   request.merge = {file("more.ttf")};
-  request.string_files = {write("ui.txt", "one = BZ\n")};
+  request.strict = false;
   EXPECT_EQ(generate(request).report.missing, std::vector<char32_t>{U'Z'});
   request.strict = true;
   EXPECT_TRUE(contains(error_of([&] { generate(request); }), "ui.txt:1: "));

@@ -264,6 +264,11 @@ TEST(FontSource, RefusesWhatIsNoFont) {
       contains(refused({text.begin(), text.end()}), "is not a font; TTF"));
 }
 
+// The first bytes of a file.
+std::vector<uint8_t> first(const std::vector<uint8_t>& whole, size_t size) {
+  return {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)};
+}
+
 using Pack = std::vector<uint8_t> (*)(const std::vector<uint8_t>&);
 constexpr Pack kPacks[] = {pack_woff, pack_woff2};
 
@@ -307,8 +312,7 @@ TEST(FontSource, RefusesDamagedWebFonts) {
     const std::string tool =
         pack == pack_woff ? "woff2sfnt" : "woff2_decompress";
     for (size_t size = 12; size < whole.size(); size += 5) {
-      const std::string message = refused(std::vector<uint8_t>(
-          whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)));
+      const std::string message = refused(first(whole, size));
       EXPECT_TRUE(
           contains(message, "a.woff: FreeType cannot unpack this WOFF"));
       EXPECT_TRUE(contains(message, "get it anew, or unpack it with " + tool));
@@ -326,10 +330,7 @@ TEST(FontSource, RefusesEveryTruncation) {
     request.face = face;
     // The last bytes may be padding.
     for (size_t size = 0; size + 4 < whole.size(); ++size) {
-      request.file = folder.write(
-          "a.ttf",
-          std::vector<uint8_t>(whole.begin(),
-                               whole.begin() + static_cast<ptrdiff_t>(size)));
+      request.file = folder.write("a.ttf", first(whole, size));
       const std::string message = refusal(request);
       EXPECT_TRUE(contains(message, "truncated") ||
                   contains(message, "is not a font"))
@@ -342,9 +343,8 @@ TEST(FontSource, RefusesTruncatedRealFonts) {
   const TestFolder folder;
   const std::vector<uint8_t> whole = read_file(kDejaVuSans);
   for (const size_t percent : {1u, 10u, 50u, 90u, 99u}) {
-    const auto size = static_cast<ptrdiff_t>(whole.size() * percent / 100);
-    const FontRequest request = request_of(folder.write(
-        "a.ttf", std::vector<uint8_t>(whole.begin(), whole.begin() + size)));
+    const FontRequest request = request_of(
+        folder.write("a.ttf", first(whole, whole.size() * percent / 100)));
     EXPECT_TRUE(contains(refusal(request), "a.ttf: is truncated: table '"));
   }
 }

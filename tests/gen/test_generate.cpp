@@ -25,9 +25,11 @@
 namespace inkcell::gen::test {
 namespace {
 
-GenerateRequest dejavu() {
+// All of ASCII if `symbols` is empty.
+GenerateRequest dejavu(const std::string& symbols = "") {
   GenerateRequest request;
   request.font = kDejaVuSans;
+  request.symbols = symbols;
   request.target.min_px = 12;
   request.target.max_px = 16;
   return request;
@@ -69,8 +71,7 @@ TEST(Generate, MakesOutlinesUnlessTold) {
 TEST(Generate, MakesSmallerFontsOfOutlines) {
   size_t before = 1000000;
   for (const Target& options : kCodings) {
-    GenerateRequest request = dejavu();
-    request.symbols = "Rag8";
+    GenerateRequest request = dejavu("Rag8");
     request.target = options;
     const RomFont rom = generate(request);
     const Font font = opened(rom.bytes);
@@ -175,8 +176,7 @@ TEST(Generate, AddsSignsOfTheFirstFaceThatHasThem) {
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
-  GenerateRequest request = dejavu();
-  request.symbols = "Hamburg 8";
+  GenerateRequest request = dejavu("Hamburg 8");
   request.target = options_of(Coding::field);
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));
@@ -234,8 +234,7 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
 // Of outlines the promise is that of areas, at any position: not less than what
 // the loop sees. What it sees by distance stands beside it.
 TEST(Generate, ReportsAreasAndDistances) {
-  GenerateRequest request = dejavu();
-  request.symbols = "ag&";
+  GenerateRequest request = dejavu("ag&");
   request.target.coding = Coding::outline;
   request.target.max_px = 64;
   const RomFont rom = generate(request);
@@ -258,8 +257,7 @@ TEST(Generate, ReportsAreasAndDistances) {
 // A font made for coarser sizes than it holds is wrong by more than a pixel may
 // be.
 TEST(Generate, WarnsOfAreasBeyondTheTolerance) {
-  GenerateRequest request = dejavu();
-  request.symbols = "g";
+  GenerateRequest request = dejavu("g");
   request.target.coding = Coding::outline;
   request.target.max_px = 64;
   request.target.tolerance = 5;  // roundings alone take nearly as much
@@ -344,8 +342,7 @@ TEST(Generate, ImagesOfImagesAreNoImages) {
 
 TEST(Generate, RefusesWrongRequests) {
   const auto range = [](double min_px, double max_px, double tolerance) {
-    GenerateRequest request = dejavu();
-    request.symbols = "H";
+    GenerateRequest request = dejavu("H");
     request.target.min_px = min_px;
     request.target.max_px = max_px;
     request.target.tolerance = tolerance;
@@ -363,14 +360,12 @@ TEST(Generate, RefusesWrongRequests) {
     request.target.effort = effort;
     EXPECT_TRUE(begins_with(refusal(request), "--effort"));
   }
-  GenerateRequest request = dejavu();
-  request.symbols = "\n";
+  GenerateRequest request = dejavu("\n");
   EXPECT_TRUE(contains(refusal(request), "no characters"));
 }
 
 TEST(Generate, RefusesWhatDoesNotGoTogether) {
-  GenerateRequest request = dejavu();
-  request.symbols = "H";
+  GenerateRequest request = dejavu("H");
   request.target = options_of(Coding::outline);
   request.target.predicate = Predicate::fixed;
   EXPECT_TRUE(begins_with(refusal(request), "--predicate fixed"));
@@ -535,8 +530,7 @@ TEST(Generate, TellsOfProgress) {
 }
 
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
-  GenerateRequest request = dejavu();
-  request.symbols = "aD";
+  GenerateRequest request = dejavu("aD");
   request.target.coding = Coding::field;
   request.target.predicate = Predicate::fixed;
   const RomFont rom = generate(request);

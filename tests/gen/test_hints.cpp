@@ -88,15 +88,20 @@ TEST(Hints, ABarIsNoStem) {
   EXPECT_TRUE(glyph.stems.empty());
 }
 
+// A stem with a foot of these heights at its tips and at the stem.
+GlyphFeatures foot(double tip, double middle) {
+  return find_features({{polygon({{0, 0},
+                                  {300, 0},
+                                  {300, tip},
+                                  {195, middle},
+                                  {195, 700},
+                                  {105, 700},
+                                  {105, middle},
+                                  {0, tip}})}});
+}
+
 TEST(Hints, WingsAtTheEndOfAStemAreASerif) {
-  const GlyphFeatures glyph = find_features({{polygon({{0, 0},
-                                                       {300, 0},
-                                                       {300, 30},
-                                                       {195, 30},
-                                                       {195, 700},
-                                                       {105, 700},
-                                                       {105, 30},
-                                                       {0, 30}})}});
+  const GlyphFeatures glyph = foot(30, 30);
   ASSERT_EQ(glyph.bars.size(), 1u);
   EXPECT_EQ(glyph.bars[0].kind, Kind::serif);
   EXPECT_EQ(glyph.bars[0].high, 30);
@@ -110,14 +115,7 @@ TEST(Hints, WingsAtTheEndOfAStemAreASerif) {
 }
 
 TEST(Hints, ACuppedFootIsASerif) {
-  const GlyphFeatures glyph = find_features({{polygon({{0, 0},
-                                                       {300, 0},
-                                                       {300, 12},
-                                                       {195, 60},
-                                                       {195, 700},
-                                                       {105, 700},
-                                                       {105, 60},
-                                                       {0, 12}})}});
+  const GlyphFeatures glyph = foot(12, 60);
   ASSERT_EQ(glyph.bars.size(), 1u);
   EXPECT_EQ(glyph.bars[0].kind, Kind::serif);
   EXPECT_EQ(glyph.bars[0].low, 0);
