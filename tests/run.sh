@@ -22,8 +22,9 @@
 #   web                           the generator and the page, in node and Chromium
 #
 # On Debian it installs what is missing (host_tools/setup.sh). It writes to
-# build/ only; the output of each step is in build/tests/<step>.log. Exits with
-# 0 if everything passed.
+# build/ only, but for the caches of objects and of fonts (font_cache.py); the
+# output of each step is in build/tests/<step>.log. Exits with 0 if everything
+# passed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 usage() {

@@ -3,9 +3,11 @@
 # build/tests/<step>.log, says how it went and is counted.
 
 # Three boards have one core, packages are built in several ways, and most objects
-# are those of the last run: every compiler is called through ccache.
+# are those of the last run: every compiler is called through ccache. So are fonts,
+# of which several builds make the same.
 root=$PWD
 export PATH="/usr/lib/ccache:$PATH" CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+export INKCELL_FONTGEN_LAUNCHER="$root/tests/font_cache.py"
 
 logs=$root/build/tests
 mkdir -p "$logs"

@@ -58,6 +58,8 @@
 set(INKCELL_FONTGEN "" CACHE FILEPATH "Generator to use: inkcell-fontgen")
 set(INKCELL_FONTGEN_DIR "" CACHE PATH
   "Where the generator is built if needed [<build>/inkcell-fontgen]")
+set(INKCELL_FONTGEN_LAUNCHER "$ENV{INKCELL_FONTGEN_LAUNCHER}" CACHE STRING
+  "Program that runs the generator, as CMAKE_<LANG>_COMPILER_LAUNCHER does")
 set(INKCELL_HOST_CXX "" CACHE FILEPATH
   "Compiler that builds the generator [the machine's default]")
 
@@ -367,7 +369,7 @@ function(inkcell_add_font target)
   add_custom_command(
     OUTPUT ${outputs}
     BYPRODUCTS ${preview}
-    COMMAND "${program}" ${font} ${options} --quiet
+    COMMAND ${INKCELL_FONTGEN_LAUNCHER} "${program}" ${font} ${options} --quiet
       ${form} "--name=${arg_NAME}" "--out=${made}" "--depfile=${made}.d"
     DEPENDS ${inputs} ${depends}
     DEPFILE "${made}.d"

@@ -37,11 +37,13 @@ all: $(INKCELL_FONTS)/fonts/ui.{suffix}
 CMAKE = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES NONE)
 set(INKCELL_FONTGEN {fontgen})
+set(INKCELL_FONTGEN_LAUNCHER "")
 include({root}/fonts_gen/cmake/InkcellFonts.cmake)
 add_library(app INTERFACE)
 inkcell_add_font(app FONT font.ttf NAME ui SVG_DIR icons TEXT_FILE text.txt
   STRINGS ui.txt MERGE more.ttf=0x42 MAX_PX 12)
 """
+CACHED = CMAKE.replace('LAUNCHER ""', "LAUNCHER {root}/tests/font_cache.py")
 MESON = """project('user')
 fontgen = find_program('{fontgen}', native: true)
 custom_target(input: 'font.ttf', output: [{outputs}], depfile: 'ui.d',
@@ -62,6 +64,8 @@ SYSTEMS = {
                      "build/inkcell_fonts/fonts/ui.bin"),
     "CMake, Ninja": (CMAKE, "CMakeLists.txt", [*CONFIGURE, "Ninja"], BUILD,
                      "build/inkcell_fonts/app/fonts/ui.hpp"),
+    "CMake, cached": (CACHED, "CMakeLists.txt", [*CONFIGURE, "Ninja"], BUILD,
+                      "build/inkcell_fonts/app/fonts/ui.hpp"),
     "CMake, Make": (CMAKE, "CMakeLists.txt", [*CONFIGURE, "Unix Makefiles"],
                     BUILD, "build/inkcell_fonts/app/fonts/ui.hpp"),
     "Meson": (MESON, "meson.build", ["meson", "setup", "{0}/build", "{0}"],
