@@ -398,6 +398,8 @@ std::filesystem::path TestFolder::write(const std::string& name,
                                         const Bytes& bytes) const {
   const std::filesystem::path file = path_ / name;
   std::filesystem::create_directories(file.parent_path());
+  // A file that is emptied and written anew goes to the disk at once (ext4).
+  std::filesystem::remove(file);
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()),
             static_cast<std::streamsize>(bytes.size()));
