@@ -54,8 +54,7 @@ inline void make_models() {
     model.points = kGlyphs[i].points;
     DistanceGrid grid(model.samples, kSide, kSide, 0);
     grid.clear();
-    CHECK_OK(grid.paint(font, i, Q26_6::from_int(kSize),
-                        {Q26_6::from_int(kLeft), Q26_6::from_int(kBase)}));
+    CHECK_OK(grid.paint(font, i, Q26_6::from_int(kSize), {kLeft, kBase}));
     CHECK_OK(model.shape.make(grid, model.edge));
   }
 }

@@ -7,9 +7,11 @@
 
 #include "check.hpp"
 #include "inkcell/strip.hpp"
+#include "sink_calls.hpp"
 
 template <int32_t kWidth, int32_t kHeight, int32_t kChannels>
-struct ChannelCanvas {
+struct ChannelCanvas : SinkCalls<ChannelCanvas<kWidth, kHeight, kChannels>> {
+  using Calls = SinkCalls<ChannelCanvas>;
   static constexpr int32_t kColours = 3;
 
   uint8_t pixels[static_cast<size_t>(kHeight * kWidth * kChannels)];
@@ -27,7 +29,11 @@ struct ChannelCanvas {
   }
   inkcell::Sink sink(const inkcell::Rect& part, bool takes_blocks = false) {
     shown = part;
-    return {part,        this, coverage, solid, takes_blocks ? block : nullptr,
+    return {part,
+            this,
+            Calls::coverage,
+            Calls::solid,
+            takes_blocks ? Calls::block : nullptr,
             coverage_rgb};
   }
   inkcell::Sink fill(const inkcell::Rect& part) {
@@ -35,35 +41,29 @@ struct ChannelCanvas {
     return {part, this, cover_fill, solid_fill};
   }
 
+  // `value`: null for full coverage.
+  void put(int32_t x, int32_t y, const uint8_t* value, int32_t count) {
+    for (int32_t channel = 0; channel < kColours; ++channel) {
+      put(x, y, channel, value, count, 1);
+    }
+  }
   void put(int32_t x,
            int32_t y,
            int32_t channel,
            const uint8_t* value,
            int32_t count,
            int32_t step) {
-    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
-                      x >= shown.x0 && count <= shown.x1 - x;
-    CHECK(fits && "pixels inside the window");
+    const bool fits = Calls::fits(shown, x, y, count);
     for (int32_t i = 0; fits && i < count; ++i) {
       uint8_t& pixel = pixels[index(x + i, y) + channel];
       CHECK(pixel == 0 && "drawn once");
-      pixel = value[i * step];
+      pixel = value == nullptr ? 255 : value[i * step];
     }
   }
 
  private:
   static ChannelCanvas& of(void* context) {
     return *static_cast<ChannelCanvas*>(context);
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count <= inkcell::kMaxSpan);
-    for (int32_t channel = 0; channel < kColours; ++channel) {
-      of(context).put(x, y, channel, values, count, 1);
-    }
   }
   static void coverage_rgb(void* context,
                            int32_t x,
@@ -75,22 +75,6 @@ struct ChannelCanvas {
       of(context).put(x, y, channel, values + channel, count, kColours);
     }
   }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    constexpr uint8_t kFull = 255;
-    for (int32_t channel = 0; channel < kColours; ++channel) {
-      of(context).put(x, y, channel, &kFull, count, 0);
-    }
-  }
-  static void block(void* context, const inkcell::CoverageBlock& block) {
-    const inkcell::Rect& all = block.pixels;
-    for (int32_t y = all.y0; y < all.y1; ++y) {
-      for (int32_t channel = 0; channel < kColours; ++channel) {
-        of(context).put(all.x0, y, channel,
-                        block.coverage + (y - all.y0) * block.stride,
-                        all.x1 - all.x0, 1);
-      }
-    }
-  }
   static void cover_fill(void* context,
                          int32_t x,
                          int32_t y,
@@ -99,7 +83,6 @@ struct ChannelCanvas {
     of(context).put(x, y, kColours, values, count, 1);
   }
   static void solid_fill(void* context, int32_t x, int32_t y, int32_t count) {
-    constexpr uint8_t kFull = 255;
-    of(context).put(x, y, kColours, &kFull, count, 0);
+    of(context).put(x, y, kColours, nullptr, count, 1);
   }
 };

@@ -1,5 +1,6 @@
 // The list of tests, and what is printed about them.
 #include "check.hpp"
+#include "pixels.hpp"
 
 // Where the section begins and ends, by the linker.
 extern "C" {

@@ -59,6 +59,23 @@ constexpr Number magnitude(Number value) {
   return value < 0 ? -value : value;
 }
 
+/// Values to loop over: `for (const int32_t px : each_of({9, 16})) {`.
+template <typename Value, size_t kCount>
+struct Values {
+  const Value* begin() const { return values; }
+  const Value* end() const { return values + kCount; }
+
+  Value values[kCount];
+};
+template <typename Value, size_t kCount>
+constexpr Values<Value, kCount> each_of(const Value (&values)[kCount]) {
+  Values<Value, kCount> all = {};
+  for (size_t i = 0; i < kCount; ++i) {
+    all.values[i] = values[i];
+  }
+  return all;
+}
+
 #define TEST(test_name)                                                  \
   static void test_##test_name();                                        \
   __attribute__((section("inkcell_tests"), used,                         \

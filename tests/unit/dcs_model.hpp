@@ -5,6 +5,7 @@
 #include "display_page.hpp"
 #include "inkcell/port/dcs_panel.hpp"
 #include "inkcell/port/rgb565.hpp"
+#include "pixels.hpp"
 
 namespace dcs_model {
 
@@ -202,19 +203,25 @@ void check_shown(const DcsModel& model,
                  const Strip& picture,
                  const IsDrawn& is_drawn) {
   int64_t drawn = 0;
-  for (int32_t y = 0; y < picture.height && !check::failed(); ++y) {
-    for (int32_t x = 0; x < picture.width; ++x) {
-      const bool in = is_drawn(x, y);
-      drawn += in ? 1 : 0;
-      CHECK_EQ(shown(model, panel, turned(panel, x, y)),
-               in ? pixel_of(picture, x, y) : kNever);
-    }
+  for (const auto [x, y] : pixels_of(picture.width, picture.height)) {
+    const bool in = is_drawn(x, y);
+    drawn += in ? 1 : 0;
+    CHECK_EQ(shown(model, panel, turned(panel, x, y)),
+             in ? pixel_of(picture, x, y) : kNever);
   }
   int64_t written = 0;
   for (int32_t i = 0; i < model.columns * model.rows; ++i) {
     written += memory[i] != kNever ? 1 : 0;
   }
   CHECK_EQ(written, drawn);
+}
+
+inline void check_shown(const DcsModel& model,
+                        const DcsPanel& panel,
+                        const Strip& picture,
+                        const Rect& part) {
+  check_shown(model, panel, picture,
+              [&part](int32_t x, int32_t y) { return holds(part, x, y); });
 }
 
 inline constexpr auto kAll = [](int32_t, int32_t) { return true; };

@@ -32,12 +32,9 @@ void draw_words(const Canvas& canvas) {
   small = Style(13_px, kFilterArea);
   CHECK_OK(canvas.status());
   const Painter painter(canvas);
-  painter.text(font, large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
-               "DEFACED");
-  painter.text(font, small, {Q26_6::from_int(3), Q26_6::from_int(50)},
-               "BEAD FACE");
-  painter.text(font, large, {Q26_6::from_int(30), Q26_6::from_int(150)},
-               "FADE");
+  painter.text(font, large, {-9, 37}, "DEFACED");
+  painter.text(font, small, {3, 50}, "BEAD FACE");
+  painter.text(font, large, {30, 150}, "FADE");
 }
 
 /// Clears a strip to `background` and draws the words.

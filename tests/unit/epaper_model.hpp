@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "inkcell/port/display_bus.hpp"
+#include "pixels.hpp"
 
 namespace epaper_model {
 
@@ -83,14 +84,12 @@ struct EpaperModel {
     CHECK_EQ(sensor, 0x80);
     const bool full = sequence == 0xf7;
     CHECK_EQ(planes_read, full ? 0x40 : 0x00);
-    for (int32_t y = 0; y < gates; ++y) {
-      for (int32_t x = 0; x < columns; ++x) {
-        const uint8_t next = planes[0][y][x];
-        const uint8_t moved =
-            full ? uint8_t{0xff} : static_cast<uint8_t>(next ^ planes[1][y][x]);
-        glass[y][x] =
-            static_cast<uint8_t>((glass[y][x] & ~moved) | (next & moved));
-      }
+    for (const auto [x, y] : pixels_of(columns, gates)) {
+      const uint8_t next = planes[0][y][x];
+      const uint8_t moved =
+          full ? uint8_t{0xff} : static_cast<uint8_t>(next ^ planes[1][y][x]);
+      glass[y][x] =
+          static_cast<uint8_t>((glass[y][x] & ~moved) | (next & moved));
     }
     busy = true;
     ++refreshes;

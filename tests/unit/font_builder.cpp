@@ -44,6 +44,11 @@ class Writer {
     u16(value);
     u16(value >> 16);
   }
+  void bytes(Span<const uint8_t> bytes) {
+    for (const uint8_t byte : bytes) {
+      u8(byte);
+    }
+  }
   void i16(int32_t value) { u16(static_cast<uint32_t>(value)); }
   void align() {
     while (at_ % 4 != 0) {
@@ -159,9 +164,7 @@ void write_glyphs(const FontSpec& spec, Writer& out) {
     out.patch_u16(offsets + 2 * i,
                   static_cast<uint32_t>(out.at() - begin) >> unit_log2);
     const GlyphSpec& glyph = spec.glyphs[i];
-    for (const uint8_t byte : glyph.bytes) {
-      out.u8(byte);
-    }
+    out.bytes(glyph.bytes);
     if (unit_log2 != 0 && out.at() % 2 != 0) {
       out.u8(0);
     }
@@ -224,19 +227,29 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
 using WriteSection = void (*)(const FontSpec&, Writer&);
 
 struct Section {
+  bool exists;
   uint32_t tag;
   uint32_t must_understand;
-  WriteSection write;
+  WriteSection write;  // null: bytes as they are
+  Span<const uint8_t> bytes = {};
 };
 
-void write_nothing(const FontSpec&, Writer&) {}
+// None without bytes.
+Section section_of(uint32_t tag,
+                   uint32_t must_understand,
+                   Span<const uint8_t> bytes) {
+  return {bytes.size != 0, tag, must_understand, nullptr, bytes};
+}
 
 void write_section(const FontSpec& spec,
                    const Section& section,
                    size_t entry,
                    Writer& out) {
   const auto begin = static_cast<uint32_t>(out.at());
-  section.write(spec, out);
+  if (section.write != nullptr) {
+    section.write(spec, out);
+  }
+  out.bytes(section.bytes);
   out.patch_u32(entry + format::section::kTag, section.tag);
   out.patch_u32(entry + format::section::kOffset,
                 begin | section.must_understand);
@@ -428,57 +441,23 @@ void Record::write(uint8_t* at) const {
   }
 }
 
-void write_code_pages(const FontSpec& spec, Writer& out) {
-  for (const uint8_t byte : spec.code_pages) {
-    out.u8(byte);
-  }
-}
-
-void write_hints(const FontSpec& spec, Writer& out) {
-  for (const uint8_t byte : spec.hints) {
-    out.u8(byte);
-  }
-}
-
-void write_morphs(const FontSpec& spec, Writer& out) {
-  for (const uint8_t byte : spec.morphs) {
-    out.u8(byte);
-  }
-}
-
-void write_code(const FontSpec& spec, Writer& out) {
-  for (const uint8_t byte : spec.outlines.code) {
-    out.u8(byte);
-  }
-}
-
 size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   namespace section = format::section;
   const Section all[] = {
-      {section::kCmap, section::kMustUnderstand, write_cmap},
-      {section::kCodePages, section::kMustUnderstand, write_code_pages},
-      {section::kMetrics, section::kMustUnderstand, write_metrics},
-      {section::kGlyphs, section::kMustUnderstand, write_glyphs},
-      {section::kCode, section::kMustUnderstand, write_code},
-      {section::kKerning, 0, write_kerning},
-      {section::kGrid, 0, write_hints},
-      {section::kMorphs, 0, write_morphs},
-      {section::kName, 0, write_name},
-      {spec.extra_section, spec.extra_flags, write_nothing},
-  };
-  const bool has[] = {true,
-                      spec.code_pages.size != 0,
-                      true,
-                      true,
-                      spec.outlines.code.size != 0,
-                      spec.kerning.left_classes != 0,
-                      spec.hints.size != 0,
-                      spec.morphs.size != 0,
-                      spec.name[0] != '\0',
-                      spec.extra_section != 0};
+      {true, section::kCmap, section::kMustUnderstand, write_cmap},
+      section_of(section::kCodePages, section::kMustUnderstand,
+                 spec.code_pages),
+      {true, section::kMetrics, section::kMustUnderstand, write_metrics},
+      {true, section::kGlyphs, section::kMustUnderstand, write_glyphs},
+      section_of(section::kCode, section::kMustUnderstand, spec.outlines.code),
+      {spec.kerning.left_classes != 0, section::kKerning, 0, write_kerning},
+      section_of(section::kGrid, 0, spec.hints),
+      section_of(section::kMorphs, 0, spec.morphs),
+      {spec.name[0] != '\0', section::kName, 0, write_name},
+      {spec.extra_section != 0, spec.extra_section, spec.extra_flags, nullptr}};
   uint32_t count = 0;
-  for (const bool present : has) {
-    count += present ? 1 : 0;
+  for (const Section& each : all) {
+    count += each.exists ? 1 : 0;
   }
   Writer writer(out);
   write_header(spec, count, writer);
@@ -486,9 +465,9 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   for (uint32_t i = 0; i < count * section::kBytes; ++i) {
     writer.u8(0);
   }
-  for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); ++i) {
-    if (has[i]) {
-      write_section(spec, all[i], entry, writer);
+  for (const Section& each : all) {
+    if (each.exists) {
+      write_section(spec, each, entry, writer);
       entry += section::kBytes;
     }
   }

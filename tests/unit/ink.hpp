@@ -5,8 +5,10 @@
 #include <stdint.h>
 
 #include "inkcell/strip.hpp"
+#include "pixels.hpp"
+#include "sink_calls.hpp"
 
-struct Ink {
+struct Ink : SinkCalls<Ink> {
   int64_t sum = 0;    // of all coverages
   inkcell::Rect box;  // around pixels that are not empty
 
@@ -16,12 +18,20 @@ struct Ink {
     return {window, this, coverage, solid, nullptr, coverage_rgb};
   }
   bool operator==(const Ink& other) const {
-    return sum == other.sum && box.x0 == other.box.x0 &&
-           box.y0 == other.box.y0 && box.x1 == other.box.x1 &&
-           box.y1 == other.box.y1;
+    return sum == other.sum && is_same(box, other.box);
   }
 
  private:
+  friend SinkCalls;
+
+  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    for (int32_t i = 0; values != nullptr && i < count; ++i) {
+      add(x + i, y, 1, values[i]);
+    }
+    if (values == nullptr) {
+      add(x, y, count, 255);
+    }
+  }
   void add(int32_t x, int32_t y, int32_t count, uint8_t value) {
     sum += int64_t{value} * count;
     if (value == 0) {
@@ -34,15 +44,6 @@ struct Ink {
            x + count > box.x1 ? x + count : box.x1,
            y + 1 > box.y1 ? y + 1 : box.y1};
   }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    for (int32_t i = 0; i < count; ++i) {
-      static_cast<Ink*>(context)->add(x + i, y, 1, values[i]);
-    }
-  }
   static void coverage_rgb(void* context,
                            int32_t x,
                            int32_t y,
@@ -51,8 +52,5 @@ struct Ink {
     for (int32_t i = 0; i < 3 * count; ++i) {
       static_cast<Ink*>(context)->add(x + i / 3, y, 1, values[i]);
     }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Ink*>(context)->add(x, y, count, 255);
   }
 };

@@ -15,6 +15,8 @@
 
 #include "check.hpp"
 #include "inkcell/strip.hpp"
+#include "pixels.hpp"
+#include "sink_calls.hpp"
 
 /// Coverage as a character, in five steps.
 constexpr char shade(uint8_t coverage) {
@@ -32,7 +34,7 @@ enum class Overlap : uint8_t {
 };
 
 template <int32_t kWidth, int32_t kHeight, Overlap kOverlap = Overlap::once>
-class Picture {
+class Picture : public SinkCalls<Picture<kWidth, kHeight, kOverlap>> {
  public:
   /// The first pixel is at (x0, y0) of the screen.
   explicit Picture(int32_t x0 = 0, int32_t y0 = 0) : x0_(x0), y0_(y0) {}
@@ -43,7 +45,7 @@ class Picture {
   /// The window is what lies in `part`.
   inkcell::Sink sink(const inkcell::Rect& part) {
     window_ = inkcell::intersect(part, all());
-    return {window_, this, coverage, solid};
+    return {window_, this, Calls::coverage, Calls::solid};
   }
   /// Calls draw(sink) for strips of `rows` rows, each cut in two `columns` from
   /// the left.
@@ -72,10 +74,8 @@ class Picture {
   int32_t ink(const inkcell::Rect& part) const {
     const inkcell::Rect seen = inkcell::intersect(part, all());
     int32_t sum = 0;
-    for (int32_t y = seen.y0; y < seen.y1; ++y) {
-      for (int32_t x = seen.x0; x < seen.x1; ++x) {
-        sum += at(x, y);
-      }
+    for (const auto [x, y] : pixels_of(seen)) {
+      sum += at(x, y);
     }
     return sum;
   }
@@ -85,12 +85,10 @@ class Picture {
   /// The greatest difference of a pixel, wherever the two pictures are.
   int32_t difference(const Picture& other) const {
     int32_t greatest = 0;
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        const int32_t apart = pixels_[y][x] - other.pixels_[y][x];
-        greatest = apart > greatest ? apart : greatest;
-        greatest = -apart > greatest ? -apart : greatest;
-      }
+    for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+      const int32_t apart = pixels_[y][x] - other.pixels_[y][x];
+      greatest = apart > greatest ? apart : greatest;
+      greatest = -apart > greatest ? -apart : greatest;
     }
     return greatest;
   }
@@ -103,10 +101,8 @@ class Picture {
   }
   void clear(const inkcell::Rect& part) {
     const inkcell::Rect seen = inkcell::intersect(part, all());
-    for (int32_t y = seen.y0; y < seen.y1; ++y) {
-      for (int32_t x = seen.x0; x < seen.x1; ++x) {
-        pixels_[y - y0_][x - x0_] = 0;
-      }
+    for (const auto [x, y] : pixels_of(seen)) {
+      pixels_[y - y0_][x - x0_] = 0;
     }
   }
   void clear_at(int32_t x0, int32_t y0) {
@@ -117,17 +113,18 @@ class Picture {
   /// From here on pixels may be drawn again, over the old ones.
   void next_glyph() { clear(drawn_); }
 
-  /// Whether `art`, lines of characters of shade(), shows this picture from its
-  /// first row on; rows that art does not reach must be empty.
-  bool matches(const char* art) const {
+  /// Whether `art`, lines of characters of shade(), shows this picture from a
+  /// column and a row on; pixels that art does not reach must be empty.
+  bool matches(const char* art, int32_t left = 0, int32_t top = 0) const {
     for (int32_t y = 0; y < kHeight; ++y) {
-      const bool given = *art != '\0';
       for (int32_t x = 0; x < kWidth; ++x) {
-        if (shade(pixels_[y][x]) != (given ? *art++ : '.')) {
+        const bool is_given =
+            y >= top && x >= left && *art != '\n' && *art != '\0';
+        if (shade(pixels_[y][x]) != (is_given ? *art++ : '.')) {
           return false;
         }
       }
-      if (given && *art++ != '\n') {
+      if (y >= top && *art != '\0' && *art++ != '\n') {
         return false;
       }
     }
@@ -145,20 +142,6 @@ class Picture {
     }
   }
 
-  /// For Sink::block of this picture's sinks.
-  static void block(void* context, const inkcell::CoverageBlock& block) {
-    const inkcell::Rect& part = block.pixels;
-    CHECK_EQ(block.stride % 4, 0);
-    CHECK_EQ((reinterpret_cast<uintptr_t>(block.coverage) -
-              static_cast<uintptr_t>(part.x0)) %
-                 4,
-             0u);
-    for (int32_t y = part.y0; y != part.y1; ++y) {
-      static_cast<Picture*>(context)->put(
-          part.x0, y, block.coverage + (y - part.y0) * block.stride,
-          part.x1 - part.x0);
-    }
-  }
   /// For Sink::coverage_rgb: a mean in which channels count differently, so
   /// that none can stand for another.
   static void coverage_rgb(void* context,
@@ -169,11 +152,14 @@ class Picture {
     for (int32_t i = 0; i < count; ++i, values += 3) {
       const auto mean =
           static_cast<uint8_t>((values[0] + 2 * values[1] + 4 * values[2]) / 7);
-      coverage(context, x + i, y, &mean, 1);
+      Calls::coverage(context, x + i, y, &mean, 1);
     }
   }
 
  private:
+  using Calls = SinkCalls<Picture>;
+  friend Calls;
+
   static constexpr auto kColumnCount = static_cast<size_t>(kWidth);
   static constexpr auto kRowCount = static_cast<size_t>(kHeight);
 
@@ -197,9 +183,7 @@ class Picture {
   // `values`: null for full coverage.
   void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
     ++calls_;
-    const bool fits = count >= 1 && y >= window_.y0 && y < window_.y1 &&
-                      x >= window_.x0 && count <= window_.x1 - x;
-    CHECK(fits && "pixels inside the window");
+    const bool fits = Calls::fits(window_, x, y, count);
     for (int32_t i = 0; fits && i < count; ++i) {
       const uint8_t value = values == nullptr ? 255 : values[i];
       const int32_t column = x - x0_ + i;
@@ -215,18 +199,6 @@ class Picture {
     }
   }
 
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count <= inkcell::kMaxSpan);
-    static_cast<Picture*>(context)->put(x, y, values, count);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Picture*>(context)->put(x, y, nullptr, count);
-  }
-
   int32_t x0_;
   int32_t y0_;
   inkcell::Rect window_;
@@ -236,12 +208,14 @@ class Picture {
   uint8_t drawn_[kRowCount][(kColumnCount + 7) / 8] = {};
 };
 
-/// `art`: rows of '.' 0, ':' 1..85, '+' 86..170, '*' 171..254 and '#' 255, each
-/// closed by a line feed. Prints the picture if it differs.
-#define CHECK_PICTURE(picture, art)                            \
+/// `art`: the rows of ink from a column and a row of the picture on, of '.' 0,
+/// ':' 1..85, '+' 86..170, '*' 171..254 and '#' 255, each closed by a line
+/// feed. Prints the picture if it differs.
+#define CHECK_PICTURE_AT(picture, left, top, art)              \
   do {                                                         \
-    if (!(picture).matches(art)) {                             \
+    if (!(picture).matches(art, left, top)) {                  \
       ::check::fail(__FILE__, __LINE__, #picture " differs:"); \
       (picture).print();                                       \
     }                                                          \
   } while (false)
+#define CHECK_PICTURE(picture, art) CHECK_PICTURE_AT(picture, 0, 0, art)

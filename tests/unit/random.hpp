@@ -1,7 +1,18 @@
 // Numbers that look random and are the same everywhere.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
+
+/// 32 bits that become a number of any type.
+struct AnyNumber {
+  uint32_t bits;
+
+  template <typename Number>
+  operator Number() const {  // NOLINT(google-explicit-constructor)
+    return static_cast<Number>(bits);
+  }
+};
 
 /// Marsaglia's xorshift: 32 bits of state, never 0.
 class Random {
@@ -25,7 +36,16 @@ class Random {
     const uint32_t step = count == 0 ? next() : below(count);
     return static_cast<int32_t>(low + int64_t{step});
   }
+  /// `speed.raw = random.any();`
+  AnyNumber any() { return {next()}; }
   int8_t byte() { return static_cast<int8_t>(next() >> 24); }
+
+  template <typename Byte, size_t kCount>
+  void fill(Byte (&bytes)[kCount]) {
+    for (Byte& each : bytes) {
+      each = static_cast<Byte>(byte());
+    }
+  }
 
  private:
   uint32_t state_;

@@ -1,8 +1,7 @@
 // Rounds of a random test: each has numbers of its own, so that a round that
 // fails runs alone.
 //
-//   for (Rounds rounds(101, 20000); rounds.next();) {
-//     Random& random = rounds.random;
+//   for (Random& random : Rounds(101, 20000)) {
 //     CHECK(...);
 //   }
 //
@@ -23,28 +22,45 @@ class Rounds {
  public:
   /// `seed` tells tests apart; 0 <= count.
   Rounds(uint32_t seed, int32_t count)
-      : random(1), number(-1), seed_(seed), count_(count) {}
+      : number(-1), random_(1), seed_(seed), count_(count) {}
   ~Rounds() { check::end_rounds(); }
   Rounds(const Rounds&) = delete;
   Rounds& operator=(const Rounds&) = delete;
 
-  /// Begins the next round. False behind the last one, and after one that has
-  /// failed.
+  class Iterator {
+   public:
+    explicit Iterator(Rounds& rounds) : rounds_(rounds) {}
+    Random& operator*() const { return rounds_.random_; }
+    bool operator!=(const Iterator&) const { return !rounds_.has_ended_; }
+    void operator++() { rounds_.has_ended_ = !rounds_.next(); }
+
+   private:
+    Rounds& rounds_;
+  };
+  /// Once.
+  Iterator begin() {
+    has_ended_ = !next();
+    return end();
+  }
+  Iterator end() { return Iterator(*this); }
+
+  int32_t number;  // of this round, from 0 on
+
+ private:
+  // Begins the next round. False behind the last one, and after one that has
+  // failed.
   bool next() {
     do {
       ++number;
     } while (number < count_ && !check::begin_round(number));
     if (number >= count_ || check::failed()) {
+      check::end_rounds();
       return false;
     }
-    random = Random(seed_of(seed_, static_cast<uint32_t>(number)));
+    random_ = Random(seed_of(seed_, static_cast<uint32_t>(number)));
     return true;
   }
 
-  Random random;   // of this round
-  int32_t number;  // of this round, from 0 on
-
- private:
   // Neighbours differ in all bits (the finaliser of MurmurHash3); never 0.
   static uint32_t seed_of(uint32_t seed, uint32_t number) {
     uint32_t mixed = seed * 0x9e3779b9u + number;
@@ -54,6 +70,8 @@ class Rounds {
     return mixed != 0 ? mixed : 1;
   }
 
+  Random random_;  // of this round
+  bool has_ended_ = false;
   uint32_t seed_;
   int32_t count_;
 };

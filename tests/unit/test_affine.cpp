@@ -145,8 +145,7 @@ TEST(flat_matrices_are_upright) {
 
 // Whatever a matrix is, its style has numbers that drawing can bear.
 TEST(any_matrix_makes_a_style) {
-  for (Rounds rounds(72, 20000); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(72, 20000)) {
     Q16_16 entries[4];
     for (Q16_16& entry : entries) {
       entry.raw = static_cast<int32_t>(random.next()) >> random.below(32);
@@ -168,8 +167,7 @@ TEST(any_matrix_makes_a_style) {
 // Entries whose squares would wrap to those of a size of about 24 px.
 TEST(huge_matrices_do_not_pass_for_small_ones) {
   constexpr int32_t kPx24 = 24 << 16;
-  constexpr int32_t kFar[] = {INT32_MIN, INT32_MAX};
-  for (const int32_t far : kFar) {
+  for (const int32_t far : each_of({INT32_MIN, INT32_MAX})) {
     const Matrix matrix = {Q16_16::from_raw(far), Q16_16::from_raw(kPx24),
                            Q16_16::from_raw(-kPx24), Q16_16::from_raw(far)};
     CHECK(!stretch_of(matrix).is_in_range());
@@ -236,8 +234,7 @@ TEST(the_upright_matrix_is_upright) {
 // Steps and axes are each other's inverses, and the size is the greatest
 // stretch.
 TEST(steps_undo_the_matrix) {
-  for (Rounds rounds(71, 2000); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(71, 2000)) {
     const double most = random.between(4 * 64, 1024 * 64) / 64.0;
     const double least = 4 + (most - 4) * random.between(0, 1000) / 1000;
     const Map map = any_map(random, most, least);

@@ -118,7 +118,7 @@ TEST(styles_are_checked_before_they_draw) {
   const size_t size = outline_record::build_sample_font(rom);
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
-  Style style(Q26_6::from_int(9), kFilterText);
+  Style style(9_px, kFilterText);
   const auto draw = [&] { Painter(kSink).text(font, style, {}, "A"); };
   CHECK(!ends(draw));
   const Splat splat({});

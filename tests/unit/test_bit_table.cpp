@@ -16,9 +16,7 @@ uint8_t bytes[64];
 
 void fill_at_random() {
   Random random(3);
-  for (uint8_t& byte : bytes) {
-    byte = static_cast<uint8_t>(random.next() >> 24);
-  }
+  random.fill(bytes);
 }
 
 // Bit by bit.

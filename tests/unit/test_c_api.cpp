@@ -12,6 +12,7 @@
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/value_label.hpp"
+#include "pixels.hpp"
 
 using namespace inkcell;
 
@@ -31,6 +32,18 @@ Font open() {
   return font;
 }
 
+inkcell_font_t open_by_c() {
+  inkcell_font_t font;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  return font;
+}
+
+inkcell_style_t style_by_c(int32_t px, const inkcell_filter_t& filter) {
+  inkcell_style_t style;
+  CHECK_EQ(inkcell_style_make(px << 6, &filter, &style), INKCELL_OK);
+  return style;
+}
+
 // How many bytes differ, and that the pictures are not empty.
 template <size_t kSize>
 size_t differences(const uint8_t (&a)[kSize], const uint8_t (&b)[kSize]) {
@@ -42,6 +55,10 @@ size_t differences(const uint8_t (&a)[kSize], const uint8_t (&b)[kSize]) {
   }
   CHECK(drawn > 20);
   return count;
+}
+
+bool is_same(const inkcell_rect_t& by_c, const Rect& by_cpp) {
+  return ::is_same(Rect{by_c.x0, by_c.y0, by_c.x1, by_c.y1}, by_cpp);
 }
 
 }  // namespace
@@ -57,16 +74,14 @@ TEST(label_is_that_of_cpp) {
       {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH});
   CHECK_OK(canvas.status());
   const int32_t width = Painter(canvas).measure(font, style, kText).advance.raw;
-  Painter(canvas).text(
-      font, style,
-      {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
-      kText);
+  Painter(canvas).text(font, style,
+                       {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), 12_px},
+                       kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 
 TEST(a_style_that_is_refused_draws_nothing) {
-  inkcell_font_t font;
-  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  const inkcell_font_t font = open_by_c();
   bool has_drawn = false;
   inkcell_sink_t sink = {};
   sink.window = {0, 0, 30, 30};
@@ -83,9 +98,7 @@ TEST(a_style_that_is_refused_draws_nothing) {
     inkcell_draw_text(&painter, &font, "A", 1, &style, 0, 24 << 6);
     return has_drawn;
   };
-  inkcell_style_t style;
-  CHECK_EQ(inkcell_style_make(24 << 6, &inkcell_filter_area, &style),
-           INKCELL_OK);
+  inkcell_style_t style = style_by_c(24, inkcell_filter_area);
   CHECK(draw_24(style));
   inkcell_style_for_cap_height(&font, 24 << 6, &inkcell_filter_area, &style);
   CHECK_EQ(inkcell_style_size(&style),
@@ -124,8 +137,7 @@ TEST(clock_is_that_of_cpp) {
   alignas(8) static uint8_t ram[2048];
   GlyphCache cache;
   CHECK_OK(GlyphCache::make(ram, {}, cache));
-  Painter(canvas, {}, &cache)
-      .text(font, style, {Q26_6::from_int(4), Q26_6::from_int(32)}, "42 24");
+  Painter(canvas, {}, &cache).text(font, style, {4, 32}, "42 24");
   CHECK_EQ(differences(by_c, by_cpp), 0);
   CHECK_EQ(stats.misses, cache.stats().misses);
   CHECK_EQ(stats.glyphs, cache.stats().glyphs);
@@ -172,8 +184,7 @@ TEST(own_sink_gets_what_cpp_gives) {
     __builtin_memset(static_cast<uint8_t*>(context) + y * PLOT_WIDTH + x, 255,
                      static_cast<size_t>(count));
   };
-  Painter(sink).text(
-      font, style, {Q26_6::from_int(2), Q26_6::from_raw(20 * 64 + 32)}, kText);
+  Painter(sink).text(font, style, {2_px, Q26_6::from_raw(20 * 64 + 32)}, kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
 }
 
@@ -181,17 +192,13 @@ TEST(values_are_those_of_cpp) {
   const Font font = open();
   const Style style(12_px, kFilterText);
   ValueLabel by_cpp(font, style, {30, 12}, Anchor::right);
-  inkcell_font_t same_font;
-  inkcell_style_t same_style;
-  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &same_font), INKCELL_OK);
-  CHECK_EQ(inkcell_style_make(12 << 6, &inkcell_filter_text, &same_style),
-           INKCELL_OK);
+  const inkcell_font_t same_font = open_by_c();
+  inkcell_style_t same_style = style_by_c(12, inkcell_filter_text);
   inkcell_value_label_t by_c;
   inkcell_value_label_init(&by_c, &same_font, &same_style, 30 << 6, 12 << 6,
                            INKCELL_ANCHOR_RIGHT);
   static uint8_t pages[2][LABEL_WIDTH * LABEL_HEIGHT / 8];
-  constexpr int32_t kTenths[] = {-42, 424, 424};
-  for (const int32_t tenths : kTenths) {
+  for (const int32_t tenths : each_of({-42, 424, 424})) {
     for (auto& page : pages) {
       __builtin_memset(page, 0, sizeof page);
     }
@@ -216,10 +223,7 @@ TEST(values_are_those_of_cpp) {
                             INKCELL_TERMINATED, &rect);
     inkcell_value_label_draw(&by_c, &painter);
     CHECK_EQ(differences(pages[0], pages[1]), 0);
-    CHECK_EQ(rect.x0, changed.x0);
-    CHECK_EQ(rect.y0, changed.y0);
-    CHECK_EQ(rect.x1, changed.x1);
-    CHECK_EQ(rect.y1, changed.y1);
+    CHECK(is_same(rect, changed));
   }
   // The longest number fits its buffer.
   char longest[INKCELL_NUMBER_BYTES];
@@ -248,11 +252,8 @@ TEST(text_on_a_circle_is_that_of_cpp) {
   constexpr int32_t kSide = 64;
   static uint8_t by_c[kSide * kSide];
   static uint8_t by_cpp[sizeof by_c];
-  inkcell_font_t font;
-  inkcell_style_t style;
-  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
-  CHECK_EQ(inkcell_style_make(12 << 6, &inkcell_filter_area, &style),
-           INKCELL_OK);
+  const inkcell_font_t font = open_by_c();
+  inkcell_style_t style = style_by_c(12, inkcell_filter_area);
   inkcell_grey8_target_t target = {};
   target.strip = {by_c, sizeof by_c, 0, 0, kSide, kSide, kSide, 0};
   target.level = 255;
@@ -280,8 +281,7 @@ TEST(text_on_a_circle_is_that_of_cpp) {
   motion::draw_on_circle(canvas, open(), same, same_circle, kText);
   CHECK_EQ(differences(by_c, by_cpp), 0);
   const Rect box = motion::draw_on_circle({}, open(), same, same_circle, kText);
-  CHECK(pixels.x0 == box.x0 && pixels.y0 == box.y0);
-  CHECK(pixels.x1 == box.x1 && pixels.y1 == box.y1);
+  CHECK(is_same(pixels, box));
   style = {};
   inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
                          &circle);
@@ -289,11 +289,8 @@ TEST(text_on_a_circle_is_that_of_cpp) {
 }
 
 TEST(a_paragraph_tells_its_pixels) {
-  inkcell_font_t font;
-  inkcell_style_t style;
-  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
-  CHECK_EQ(inkcell_style_make(14 << 6, &inkcell_filter_text, &style),
-           INKCELL_OK);
+  const inkcell_font_t font = open_by_c();
+  inkcell_style_t style = style_by_c(14, inkcell_filter_text);
   const inkcell_rect_t rect = {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4};
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &rect);
@@ -306,22 +303,16 @@ TEST(a_paragraph_tells_its_pixels) {
                             {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4})
                         .box(kLongText, {});
   CHECK(same.x1 > same.x0 && same.y1 > same.y0);
-  CHECK_EQ(pixels.x0, same.x0);
-  CHECK_EQ(pixels.y0, same.y0);
-  CHECK_EQ(pixels.x1, same.x1);
-  CHECK_EQ(pixels.y1, same.y1);
+  CHECK(is_same(pixels, same));
 }
 
 TEST(a_morph_needs_its_pair) {
-  inkcell_font_t font;
-  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  const inkcell_font_t font = open_by_c();
   inkcell_outline_morph_t morph;
   CHECK_EQ(inkcell_outline_morph_open(&font, 1, 2, &morph), INKCELL_NO_GLYPH);
   CHECK_EQ(inkcell_outline_morph_open_master(&font, 1, &morph),
            INKCELL_NO_GLYPH);
-  inkcell_style_t style;
-  CHECK_EQ(inkcell_style_make(14 << 6, &inkcell_filter_text, &style),
-           INKCELL_OK);
+  inkcell_style_t style = style_by_c(14, inkcell_filter_text);
   inkcell_rect_t box;
   inkcell_outline_morph_box(&morph, &style, 0, 0, 1 << 16, &box);
   CHECK(box.x1 <= box.x0);

@@ -3,6 +3,7 @@
 #include "random.hpp"
 #include "rounds.hpp"
 #include "row_codes.hpp"
+#include "sink_calls.hpp"
 
 namespace {
 
@@ -16,7 +17,7 @@ uint8_t rows[kMostRows * kMostValues];
 uint8_t kept[kMostRows * (kMostValues + 16)];
 
 // What comes back; 1 where nothing was drawn, which no row has.
-struct Canvas {
+struct Canvas : SinkCalls<Canvas> {
   Rect box;
   Rect window;
   int32_t channels;
@@ -26,36 +27,10 @@ struct Canvas {
     return pixels + ((y - box.y0) * (box.x1 - box.x0) + x - box.x0) * channels;
   }
   void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
-    const bool fits = count >= 1 && y >= window.y0 && y < window.y1 &&
-                      x >= window.x0 && count <= window.x1 - x;
-    CHECK(fits && "pixels inside the window");
-    for (int32_t i = 0; fits && i != count * channels; ++i) {
+    const bool is_inside = fits(window, x, y, count);
+    for (int32_t i = 0; is_inside && i != count * channels; ++i) {
       CHECK_EQ(at(x, y)[i], 1);
       at(x, y)[i] = values == nullptr ? 255 : values[i];
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    static_cast<Canvas*>(context)->put(x, y, coverage, count);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Canvas*>(context)->put(x, y, nullptr, count);
-  }
-  static void block(void* context, const CoverageBlock& block) {
-    const Rect& pixels = block.pixels;
-    CHECK_EQ(block.stride % 4, 0);
-    CHECK_EQ((reinterpret_cast<uintptr_t>(block.coverage) -
-              static_cast<uintptr_t>(pixels.x0)) %
-                 4,
-             0u);
-    for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-      static_cast<Canvas*>(context)->put(
-          pixels.x0, y, block.coverage + (y - pixels.y0) * block.stride,
-          pixels.x1 - pixels.x0);
     }
   }
 };
@@ -131,8 +106,7 @@ void play(Random& random, Packing packing, const Rect& box) {
 }
 
 TEST(rows_come_back) {
-  for (Rounds rounds(20261124, 400); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(20261124, 400)) {
     const Packing packing = {
         static_cast<uint8_t>(random.below(2) == 0 ? 4 : 8),
         static_cast<uint8_t>(random.below(3) == 0 ? 3 : 1)};

@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "ink.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -32,6 +33,12 @@ TEST(picture_tells_apart) {
   CHECK(!picture.matches("##..\n.#+:\n...:\n"));
   CHECK(!picture.matches("##..\n.#+:\n....\n....\n"));
   CHECK(picture.matches("##..\n.#+:\n....\n"));
+  CHECK(!picture.matches("##..\n.#+:\n", 1, 0));
+  CHECK(!picture.matches(".#+:\n", 0, 1));
+  Picture<4, 3> below(9, 19);
+  below.sink().solid(&below, 11, 20, 2);
+  CHECK_PICTURE_AT(below, 2, 1, "##\n");
+  CHECK(!below.matches("##\n", 1, 1) && !below.matches("##\n", 2, 0));
 }
 
 TEST(pictures_compare_and_measure) {
@@ -104,8 +111,7 @@ TEST(ink_is_summed_and_boxed) {
   sink.coverage_rgb(sink.context, 50, 60, pixel, 1);
   sink.coverage(sink.context, 70, 80, pixel, 2);
   CHECK_EQ(same.sum, ink.sum + 9);
-  CHECK(same.box.x0 == 10 && same.box.y0 == 20);
-  CHECK(same.box.x1 == 51 && same.box.y1 == 61);
+  CHECK(is_same(same.box, {10, 20, 51, 61}));
   CHECK(!(same == ink));
 }
 

@@ -39,7 +39,8 @@ TEST(picture) {
 }  // namespace
 
 TEST(a_round_fails) {
-  for (Rounds rounds(1, 9); rounds.next();) {
+  Rounds rounds(1, 9);
+  for ([[maybe_unused]] Random& random : rounds) {
     CHECK(rounds.number != 4);
   }
 }

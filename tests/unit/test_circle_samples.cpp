@@ -4,38 +4,18 @@
 
 #include "check.hpp"
 #include "effect_canvas.hpp"
+#include "effect_glyph.hpp"
 #include "font_builder.hpp"
 #include "rounds.hpp"
 
 namespace {
 
 using namespace inkcell;
-using effect::check_windows;
-using effect::draw;
-using effect::kAll;
-using effect::kSide;
-using effect::picture;
+using namespace effect;
 
 constexpr int32_t kOne = 1 << 30;
 constexpr int32_t kDirections[][2] = {
     {kOne, 0}, {759250125, 759250125}, {858993459, -644245094}};
-
-alignas(4) uint8_t bytes[1536];
-font_builder::Record samples;  // too large for the stack of a small board
-
-GlyphField open() {
-  GlyphField field;
-  CHECK(samples.size() <= sizeof(bytes));
-  samples.write(bytes);
-  CHECK_OK(GlyphField::open({bytes, samples.size()}, field));
-  return field;
-}
-
-GlyphField field_of_samples(font_builder::Shape shape) {
-  samples.reset();
-  samples.fill(shape);
-  return open();
-}
 
 Style style_of(int32_t size_q6, uint32_t turn, const CircleSamples& options) {
   Direction direction;
@@ -110,14 +90,15 @@ int check_means(const GlyphField& field,
 
 // A cell around the origin, where a straight edge passes; of slope 1.
 GlyphField plane(uint8_t tile_log2) {
-  samples.reset();
-  samples.tile_log2 = tile_log2;
-  samples.tiles_x = samples.tiles_y = 1;
-  samples.x0_u = samples.y0_u = static_cast<int16_t>(-(1 << tile_log2) / 2);
-  samples.reference_count = 1;
+  glyph_record.reset();
+  glyph_record.tile_log2 = tile_log2;
+  glyph_record.tiles_x = glyph_record.tiles_y = 1;
+  glyph_record.x0_u = glyph_record.y0_u =
+      static_cast<int16_t>(-(1 << tile_log2) / 2);
+  glyph_record.reference_count = 1;
   constexpr int8_t kPlane[8] = {-89, -51, -13, -38, 38, 13, 51, 89};
-  samples.references[0] = samples.add_raw_cell(0, kPlane);
-  return open();
+  glyph_record.references[0] = glyph_record.add_raw_cell(0, kPlane);
+  return open_glyph();
 }
 
 // Where a field is a plane one sample says what 13 do, whatever its direction.
@@ -126,8 +107,7 @@ TEST(straight_edges_take_five_samples) {
   CircleSamples options(kFilterText);
   options.more_samples = &more;
   const GlyphField field = plane(11);
-  for (Rounds rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40)) {
     const Style style = style_of(40 * 64, random.below(3), options);
     const FinePoint origin(16 * 1024 + random.between(0, 1023),
                            16 * 1024 + random.between(0, 1023));
@@ -142,10 +122,9 @@ TEST(small_shapes_take_thirteen) {
   int differ = 0;
   const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
                                         font_builder::bar};
-  for (Rounds rounds(62, INKCELL_BOARD_FIRMWARE ? 3 : 60); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
-    const GlyphField field = field_of_samples(shapes[round % 3]);
+  Rounds rounds(62, INKCELL_BOARD_FIRMWARE ? 3 : 60);
+  for (Random& random : rounds) {
+    const GlyphField field = field_of(shapes[rounds.number % 3]);
     const Style style =
         style_of(random.between(4 * 64, 24 * 64), random.below(3), options);
     const FinePoint origin(8 * 1024 + random.between(0, 1023),
@@ -159,14 +138,13 @@ TEST(windows_do_not_change_pictures) {
   const CircleSamples styles[] = {
       CircleSamples(kFilterText),
       CircleSamples(kFilterText, kPaperRadius, SampleRule::paper)};
-  for (Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
+  Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24);
+  for (Random& random : rounds) {
     const Style style = style_of(random.between(8 * 64, 40 * 64),
-                                 random.below(3), styles[round & 1]);
+                                 random.below(3), styles[rounds.number & 1]);
     const FinePoint origin(random.between(0, 9999),
                            random.between(9999, 30000));
-    check_windows(field_of_samples(font_builder::ring), style, origin);
+    check_windows(field_of(font_builder::ring), style, origin);
   }
 }
 

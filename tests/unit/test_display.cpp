@@ -3,6 +3,7 @@
 #include "inkcell/port/framebuffer.hpp"
 #include "inkcell/port/ssd0303.hpp"
 #include "inkcell/port/ssd0323.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -152,13 +153,9 @@ void check_memory(const Memory& at,
                   int32_t stride,
                   int32_t columns,
                   int32_t rows) {
-  for (int32_t y = 0; y < rows && !check::failed(); ++y) {
-    for (int32_t x = 0; x < columns; ++x) {
-      const bool inside =
-          x >= bytes.x0 && x < bytes.x1 && y >= bytes.y0 && y < bytes.y1;
-      const int32_t i = (y - bytes.y0) * stride + x - bytes.x0;
-      CHECK_EQ(at(x, y), inside ? source[i] : 0);
-    }
+  for (const auto [x, y] : pixels_of(columns, rows)) {
+    const int32_t i = (y - bytes.y0) * stride + x - bytes.x0;
+    CHECK_EQ(at(x, y), holds(bytes, x, y) ? source[i] : 0);
   }
 }
 
@@ -326,9 +323,8 @@ TEST(displays_that_are_too_large_are_refused) {
 
 // Widths whose bits are more than 2^31.
 TEST(absurd_framebuffers_are_refused) {
-  const int32_t widths[] = {0x7ffffff8, 32768};
   uint8_t pixels[64] = {};
-  for (const int32_t width : widths) {
+  for (const int32_t width : each_of({0x7ffffff8, 32768})) {
     const Framebuffer display = {pixels, PixelFormat::xrgb8888, width, 16,
                                  65535};
     CHECK_EQ(write(display, make_strip(0, 0, width, 8, 65535)),

@@ -39,11 +39,9 @@ void check_page(DcsModel& model,
 constexpr Rotation kRotations[] = {Rotation::none, Rotation::quarter,
                                    Rotation::half, Rotation::three_quarters};
 
-constexpr bool kBoth[] = {false, true};
-
 TEST(st7735_shows_text_at_offsets) {
   for (const Rotation rotation : kRotations) {
-    for (const bool mirrored : kBoth) {
+    for (const bool mirrored : each_of({false, true})) {
       DcsModel model(132, 162);
       auto display = make_display<St7735>(model, 80, 160, 24, 1);
       display.rotation = rotation;
@@ -74,7 +72,7 @@ TEST(st7789_shows_text_at_offsets) {
 
 TEST(ili9341_shows_text_mirrored) {
   for (const Rotation rotation : kRotations) {
-    for (const bool mirrored : kBoth) {
+    for (const bool mirrored : each_of({false, true})) {
       DcsModel model(240, 320);
       auto display = make_display<Ili9341>(model, 240, 320);
       display.rotation = rotation;
@@ -87,8 +85,7 @@ TEST(ili9341_shows_text_mirrored) {
 
 // Strips are one window each: any height gives the same picture.
 TEST(strips_of_any_height_show_the_same) {
-  constexpr int32_t kHeights[] = {1, 7, 160};
-  for (const int32_t rows : kHeights) {
+  for (const int32_t rows : each_of({1, 7, 160})) {
     DcsModel model(132, 162);
     check_page(model, make_display<St7735>(model, 128, 160, 2, 1), rows, 0);
   }
@@ -106,9 +103,7 @@ TEST(windows_have_their_own_place) {
         canvas, kFormat, part, 30, 0, 0,
         [&display](const Strip& strip) { return write(display, strip); });
     const Strip picture = display_page::reference(canvas, kFormat, 240, 240, 0);
-    check_shown(model, display, picture, [&part](int32_t x, int32_t y) {
-      return x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
-    });
+    check_shown(model, display, picture, part);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "epaper_model.hpp"
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/ssd1680.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -35,13 +36,9 @@ void check_plane(const uint8_t (&plane)[kRows][kStride],
                  const Strip& picture,
                  const Rect& part,
                  uint8_t around) {
-  for (int32_t y = 0; y < kRows && !check::failed(); ++y) {
-    for (int32_t x = 0; x < kStride; ++x) {
-      const bool inside =
-          8 * x >= part.x0 && 8 * x < part.x1 && y >= part.y0 && y < part.y1;
-      const auto at = static_cast<size_t>(y * picture.stride + x);
-      CHECK_EQ(plane[y][x], inside ? picture.pixels[at] : around);
-    }
+  for (const auto [x, y] : pixels_of(kStride, kRows)) {
+    const auto at = static_cast<size_t>(y * picture.stride + x);
+    CHECK_EQ(plane[y][x], holds(part, 8 * x, y) ? picture.pixels[at] : around);
   }
 }
 

@@ -112,10 +112,7 @@ TEST(a_part_of_a_turned_colour_panel_is_sent_alone) {
   CHECK_EQ(model.pixels, 100 * 70);
   const Strip picture = display_page::reference(
       dcs_model::make_canvas(), PixelFormat::rgb565, 240, 135, 0x10);
-  dcs_model::check_shown(
-      model, display, picture, [&part](int32_t x, int32_t y) {
-        return x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
-      });
+  dcs_model::check_shown(model, display, picture, part);
 }
 
 }  // namespace

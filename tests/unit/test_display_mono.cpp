@@ -6,6 +6,7 @@
 #include "inkcell/port/sh1106.hpp"
 #include "inkcell/port/ssd1306.hpp"
 #include "mono_model.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -28,17 +29,15 @@ void check_shown(const MonoModel& model,
                  const Place& place) {
   CHECK(model.on);
   CHECK_EQ(model.multiplex, place.height);
-  for (int32_t y = 0; y < place.height && !check::failed(); ++y) {
-    for (int32_t x = 0; x < place.width; ++x) {
-      const bool drawn =
-          (picture.pixels[static_cast<size_t>(y / 8 * picture.stride + x)] >>
-               (y % 8) &
-           1) != 0;
-      const int32_t s =
-          place.first_column + (place.turned ? place.width - 1 - x : x);
-      const int32_t r = place.turned ? place.height - 1 - y : y;
-      CHECK_EQ(model.shown(s, r), drawn);
-    }
+  for (const auto [x, y] : pixels_of(place.width, place.height)) {
+    const bool drawn =
+        (picture.pixels[static_cast<size_t>(y / 8 * picture.stride + x)] >>
+             (y % 8) &
+         1) != 0;
+    const int32_t s =
+        place.first_column + (place.turned ? place.width - 1 - x : x);
+    const int32_t r = place.turned ? place.height - 1 - y : y;
+    CHECK_EQ(model.shown(s, r), drawn);
   }
 }
 
@@ -121,11 +120,9 @@ TEST(parts_are_replaced) {
   CHECK_OK(write(sh1106, part));
   const Strip picture =
       display_page::reference(MonoPagesCanvas(), kFormat, 128, 64, 0);
-  for (int32_t y = 0; y < 16; ++y) {
-    for (int32_t x = 0; x < 19; ++x) {
-      picture.pixels[static_cast<size_t>((2 + y / 8) * 128 + 77 + x)] =
-          pixels[y / 8 * 19 + x];
-    }
+  for (const auto [x, y] : pixels_of(19, 16)) {
+    picture.pixels[static_cast<size_t>((2 + y / 8) * 128 + 77 + x)] =
+        pixels[y / 8 * 19 + x];
   }
   check_shown(window, picture, place);
   check_shown(page, picture, {128, 64, 2, true, 64, 0});

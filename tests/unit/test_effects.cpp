@@ -14,6 +14,7 @@
 #include "inkcell/supersample.hpp"
 #include "own_effects.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 
 using namespace inkcell;
 
@@ -41,11 +42,9 @@ void draw_into(First& outline_picture, Second& fill_picture) {
 template <typename Drawn>
 void check_part(const Drawn& part, const Large& whole) {
   int32_t drawn = 0;
-  for (int32_t y = 5; y < 5 + 9; ++y) {
-    for (int32_t x = 4; x < 4 + 11; ++x) {
-      CHECK_EQ(part.at(x, y), whole.at(x, y));
-      drawn += part.at(x, y) != 0 ? 1 : 0;
-    }
+  for (const auto [x, y] : pixels_of({4, 5, 4 + 11, 5 + 9})) {
+    CHECK_EQ(part.at(x, y), whole.at(x, y));
+    drawn += part.at(x, y) != 0 ? 1 : 0;
   }
   CHECK(drawn > 0 && drawn < 11 * 9);
 }
@@ -76,7 +75,7 @@ TEST(outline_and_fill_are_drawn_where_both_windows_are) {
 TEST(filters_may_reach_to_the_end_of_the_band) {
   FontRange range;
   range.band_u = 127;
-  const Q26_6 size = Q26_6::from_int(16);  // 128 u are 2 px
+  const Q26_6 size = 16_px;  // 128 u are 2 px
   CHECK_OK(check_reach(range, size, shadow_filter(Q6_10::from_raw(2048))));
   CHECK_EQ(check_reach(range, size, shadow_filter(Q6_10::from_raw(2049))),
            Status::beyond_band);
@@ -86,10 +85,8 @@ TEST(filters_may_reach_to_the_end_of_the_band) {
 static uint32_t picture_hash() {
   uint32_t hash = 2166136261;
   const Rect all = effect::kAll;
-  for (int32_t y = all.y0; y < all.y1; ++y) {
-    for (int32_t x = all.x0; x < all.x1; ++x) {
-      hash = (hash ^ effect::picture.at(x, y)) * 16777619;
-    }
+  for (const auto [x, y] : pixels_of(all)) {
+    hash = (hash ^ effect::picture.at(x, y)) * 16777619;
   }
   return hash;
 }

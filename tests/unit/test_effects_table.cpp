@@ -21,7 +21,8 @@
 namespace {
 
 using namespace inkcell;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kWidth = 28;
 constexpr int32_t kHeight = 26;
@@ -86,10 +87,7 @@ struct Terms {
   bool is_prepared;
 };
 
-void draw_part(const Font& font,
-               const Style& style,
-               const Rect& part,
-               const Terms& terms) {
+void draw_part(const Style& style, const Rect& part, const Terms& terms) {
   const Sink sink = canvas.sink(part, terms.takes_blocks);
   const Workspace lent = {ram, static_cast<size_t>(terms.ram_bytes)};
   fill_sink = canvas.fill(part);
@@ -102,16 +100,14 @@ void draw_part(const Font& font,
   }
 }
 
-void draw_parts(const Font& font,
-                const Style& style,
+void draw_parts(const Style& style,
                 int32_t columns,
                 int32_t rows,
                 const Terms& terms) {
   canvas.clear();
   for (int32_t y = 0; y < kHeight; y += rows) {
     for (int32_t x = 0; x < kWidth; x += columns) {
-      draw_part(font, style, intersect(kAll, {x, y, x + columns, y + rows}),
-                terms);
+      draw_part(style, intersect(kAll, {x, y, x + columns, y + rows}), terms);
     }
   }
 }
@@ -124,7 +120,7 @@ int32_t differing() {
   return count;
 }
 
-void check_row(const Font& font, const Row& row, int32_t kind) {
+void check_row(const Row& row, int32_t kind) {
   constexpr Terms kAmple = {2560, false, false};
   constexpr Terms kTerms[] = {{0, false, false},
                               {0, true, false},
@@ -134,16 +130,16 @@ void check_row(const Font& font, const Row& row, int32_t kind) {
   constexpr int32_t kCuts[][2] = {
       {kWidth, kHeight}, {kWidth, 1}, {kWidth, 5}, {kWidth, 16}, {7, kHeight}};
   Style style = style_of(kind, 15);
-  draw_parts(font, style, kWidth, kHeight, kAmple);
+  draw_parts(style, kWidth, kHeight, kAmple);
   whole = canvas;
   style.set_effect(*row.effect);
   CHECK_OK(font.check(style));
-  draw_parts(font, style, kWidth, kHeight, kAmple);
+  draw_parts(style, kWidth, kHeight, kAmple);
   bool is_right = differing() > 20;
   whole = canvas;
   for (const auto& cut : kCuts) {
     for (const Terms& terms : kTerms) {
-      draw_parts(font, style, cut[0], cut[1], terms);
+      draw_parts(style, cut[0], cut[1], terms);
       is_right &= differing() == 0;
     }
   }
@@ -160,9 +156,7 @@ struct Shift {
   int32_t share;
 };
 template <size_t kCount>
-void draw_mean(const Font& font,
-               const Style& style,
-               const Shift (&shifts)[kCount]) {
+void draw_mean(const Style& style, const Shift (&shifts)[kCount]) {
   static uint16_t sums[kWidth * kHeight];
   for (uint16_t& sum : sums) {
     sum = 128;
@@ -191,8 +185,7 @@ struct Change {
   int32_t left;
   int32_t right;
 };
-Change change_of(const Font& font,
-                 uint16_t glyph,
+Change change_of(uint16_t glyph,
                  int32_t px,
                  int32_t column,
                  const EdgeContrast& options) {
@@ -213,7 +206,6 @@ Change change_of(const Font& font,
 }
 
 Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect* effect) {
-  const Font font = sample_font();
   Style style = style_of(kArea, px);
   if (effect != nullptr) {
     style.set_effect(*effect);
@@ -229,7 +221,6 @@ Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect* effect) {
 }  // namespace
 
 TEST(every_effect_draws_the_same_picture_in_parts) {
-  const Font font = sample_font();
   const Row rows[] = {{"stroke", &kStroke},
                       {"stroke and fill", &kBoth},
                       {"sub-pixels", &kLcd},
@@ -244,13 +235,12 @@ TEST(every_effect_draws_the_same_picture_in_parts) {
                       {"own, of neighbours", &own_effects::kRelief}};
   for (const Row& row : rows) {
     for (int32_t kind = 0; kind < kStyles; ++kind) {
-      check_row(font, row, kind);
+      check_row(row, kind);
     }
   }
 }
 
 TEST(only_what_takes_fields_is_refused) {
-  const Font font = sample_font();
   Style style = style_of(kUpright, 15);
   static constexpr CircleSamples kSamples(kFilterText);
   static uint32_t sums[kMinSplatSums];
@@ -266,38 +256,34 @@ TEST(only_what_takes_fields_is_refused) {
 }
 
 TEST(supersampling_is_the_mean_of_five_pictures) {
-  const Font font = sample_font();
   constexpr Supersample kSoft(kPaperRadius);
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     Style style = style_of(kind, 15);
-    draw_mean(font, style,
-              {{0, 0, 48},
-               {-32, -32, 52},
-               {-32, 32, 52},
-               {32, -32, 52},
-               {32, 32, 52}});
+    draw_mean(style, {{0, 0, 48},
+                      {-32, -32, 52},
+                      {-32, 32, 52},
+                      {32, -32, 52},
+                      {32, 32, 52}});
     style.set_effect(kSoft);
-    draw_parts(font, style, kWidth, kHeight, {0, true, false});
+    draw_parts(style, kWidth, kHeight, {0, true, false});
     CHECK_EQ(differing(), 0);
   }
 }
 
 // A path of 2.625 px to the right and 1.3125 px up: seven pictures.
 TEST(motion_blur_is_the_mean_of_pictures_along_the_path) {
-  const Font font = sample_font();
   constexpr MotionBlur kLong({Q26_6::from_raw(168), Q26_6::from_raw(-84)});
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     Style style = style_of(kind, 15);
-    draw_mean(font, style,
-              {{-72, 36, 36},
-               {-48, 24, 37},
-               {-24, 12, 36},
-               {0, 0, 37},
-               {24, -12, 36},
-               {48, -24, 37},
-               {72, -36, 37}});
+    draw_mean(style, {{-72, 36, 36},
+                      {-48, 24, 37},
+                      {-24, 12, 36},
+                      {0, 0, 37},
+                      {24, -12, 36},
+                      {48, -24, 37},
+                      {72, -36, 37}});
     style.set_effect(kLong);
-    draw_parts(font, style, kWidth, kHeight, {0, true, false});
+    draw_parts(style, kWidth, kHeight, {0, true, false});
     CHECK_EQ(differing(), 0);
   }
 }
@@ -305,8 +291,7 @@ TEST(motion_blur_is_the_mean_of_pictures_along_the_path) {
 // 32 px to the left, which 40 are clamped to, and down: blurred pictures keep
 // their ink, and nothing is cut off.
 TEST(the_longest_path_keeps_the_ink) {
-  const Font font = sample_font();
-  constexpr MotionBlur kLongest({Q26_6::from_int(-40), Q26_6::from_int(32)});
+  constexpr MotionBlur kLongest({-40, 32});
   Style style = style_of(kArea, 15);
   Ink plain;
   Ink blurred;
@@ -323,8 +308,7 @@ TEST(the_longest_path_keeps_the_ink) {
 
 // A bar from 200 to 440 u: its left edge darker, its right one lighter.
 TEST(left_edges_of_outlines_are_darker_and_right_ones_lighter) {
-  const Change change =
-      change_of(sample_font(), kBar, 20, 13, EdgeContrast(90, 0));
+  const Change change = change_of(kBar, 20, 13, EdgeContrast(90, 0));
   CHECK(change.left > 100);
   CHECK(change.right < -100);
   const int32_t sum = change.left + change.right;
@@ -333,123 +317,98 @@ TEST(left_edges_of_outlines_are_darker_and_right_ones_lighter) {
 
 // At 20 px the hairline of the frame is 0.2 px wide, its bars are 2 px.
 TEST(only_thin_strokes_of_outlines_are_darker) {
-  const Change change =
-      change_of(sample_font(), kFrame, 20, 17, EdgeContrast(0, 128));
+  const Change change = change_of(kFrame, 20, 17, EdgeContrast(0, 128));
   CHECK_EQ(change.left, 0);
   CHECK(change.right > 100);
   // Nor are the tops of bowls, whose pixels have little ink on both sides.
-  const Change of_disc =
-      change_of(sample_font(), kDisc, 20, 17, EdgeContrast(0, 128));
+  const Change of_disc = change_of(kDisc, 20, 17, EdgeContrast(0, 128));
   CHECK_EQ(of_disc.left, 0);
   CHECK_EQ(of_disc.right, 0);
 }
 
 TEST(supersampled_edges_are_soft) {
-  CHECK_PICTURE(drawn(kBar, 14, &kSupersample),
-                ".................\n"
-                ".................\n"
-                ".................\n"
-                "....:+++:........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:*#*+........\n"
-                "....:***:........\n"
-                "....:::::........\n"
-                ".................\n"
-                ".................\n");
+  CHECK_PICTURE_AT(drawn(kBar, 14, &kSupersample), 4, 3,
+                   ":+++:\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":*#*+\n"
+                   ":***:\n"
+                   ":::::\n");
 }
 
 TEST(moving_discs_leave_a_trail) {
-  constexpr MotionBlur kFast({Q26_6::from_int(4), Q26_6::from_int(-2)});
-  CHECK_PICTURE(drawn(kDisc, 12, &kFast),
-                ".................\n"
-                ".................\n"
-                ".................\n"
-                "......:::::......\n"
-                "....:+++++::.....\n"
-                "..::*****++:.....\n"
-                ".::+**#**++::....\n"
-                ".::+**##**+::....\n"
-                ".::+**##**+:.....\n"
-                ".::++**#*+::.....\n"
-                ".:::++**+:.......\n"
-                "..::::::.........\n"
-                "....::...........\n"
-                ".................\n"
-                ".................\n");
+  constexpr MotionBlur kFast({4, -2});
+  CHECK_PICTURE_AT(drawn(kDisc, 12, &kFast), 1, 3,
+                   ".....:::::..\n"
+                   "...:+++++::.\n"
+                   ".::*****++:.\n"
+                   "::+**#**++::\n"
+                   "::+**##**+::\n"
+                   "::+**##**+:.\n"
+                   "::++**#*+::.\n"
+                   ":::++**+:...\n"
+                   ".::::::.....\n"
+                   "...::.......\n");
 }
 
 TEST(lower_left_edges_are_darker) {
   constexpr EdgeContrast kMost(255, 255);
-  CHECK_PICTURE(drawn(kFrame, 16, nullptr),
-                ".................\n"
-                "..............:..\n"
-                "..............:..\n"
-                ".............::..\n"
-                "...:::::::...:...\n"
-                "...*#####+...:...\n"
-                "...**+++#+..::...\n"
-                "...**..:#+..:....\n"
-                "...**..:#+.::....\n"
-                "...**+++#+.::....\n"
-                "...*#####+.:.....\n"
-                "...:::::::::.....\n"
-                "..........:......\n"
-                ".................\n"
-                ".................\n");
-  CHECK_PICTURE(drawn(kFrame, 16, &kMost),
-                ".................\n"
-                "..............:..\n"
-                "..............+..\n"
-                ".............::..\n"
-                "...:::::::...:...\n"
-                "...*#####:...+...\n"
-                "...*****#:..::...\n"
-                "...**..:#:..:....\n"
-                "...**..:#:.:+....\n"
-                "...**:::#:.::....\n"
-                "...*#####+.:.....\n"
-                "...:+++++:::.....\n"
-                "..........:......\n"
-                ".................\n"
-                ".................\n");
+  CHECK_PICTURE_AT(drawn(kFrame, 16, nullptr), 3, 1,
+                   "...........:\n"
+                   "...........:\n"
+                   "..........::\n"
+                   ":::::::...:.\n"
+                   "*#####+...:.\n"
+                   "**+++#+..::.\n"
+                   "**..:#+..:..\n"
+                   "**..:#+.::..\n"
+                   "**+++#+.::..\n"
+                   "*#####+.:...\n"
+                   ":::::::::...\n"
+                   ".......:....\n");
+  CHECK_PICTURE_AT(drawn(kFrame, 16, &kMost), 3, 1,
+                   "...........:\n"
+                   "...........+\n"
+                   "..........::\n"
+                   ":::::::...:.\n"
+                   "*#####:...+.\n"
+                   "*****#:..::.\n"
+                   "**..:#:..:..\n"
+                   "**..:#:.:+..\n"
+                   "**:::#:.::..\n"
+                   "*#####+.:...\n"
+                   ":+++++:::...\n"
+                   ".......:....\n");
 }
 
 TEST(programs_write_effects_of_their_own) {
-  CHECK_PICTURE(drawn(kFrame, 16, &own_effects::kHatch),
-                ".................\n"
-                "..............:..\n"
-                "..............:..\n"
-                ".............::..\n"
-                "...:::::::...:...\n"
-                "...*:::#::...:...\n"
-                "...:::+:::..::...\n"
-                "...::..::+..:....\n"
-                "...:*..:#:..:....\n"
-                "...*:::+::.::....\n"
-                "...:::#:::.:.....\n"
-                "...:::::::::.....\n"
-                "..........:......\n"
-                ".................\n"
-                ".................\n");
-  CHECK_PICTURE(drawn(kBar, 12, &own_effects::kHalo),
-                ".................\n"
-                ".................\n"
-                ".................\n"
-                "...######........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...#....#........\n"
-                "...######........\n"
-                ".................\n");
+  CHECK_PICTURE_AT(drawn(kFrame, 16, &own_effects::kHatch), 3, 1,
+                   "...........:\n"
+                   "...........:\n"
+                   "..........::\n"
+                   ":::::::...:.\n"
+                   "*:::#::...:.\n"
+                   ":::+:::..::.\n"
+                   "::..::+..:..\n"
+                   ":*..:#:..:..\n"
+                   "*:::+::.::..\n"
+                   ":::#:::.:...\n"
+                   ":::::::::...\n"
+                   ".......:....\n");
+  CHECK_PICTURE_AT(drawn(kBar, 12, &own_effects::kHalo), 3, 3,
+                   "######\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "#....#\n"
+                   "######\n");
 }

@@ -6,6 +6,7 @@
 #include "equation.hpp"
 #include "font_builder.hpp"
 #include "inkcell/field/cell.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -170,8 +171,7 @@ TEST(refuses_records_that_do_not_fit) {
   bytes[glyph::kType] = glyph::kTypeSamples;
   bytes[glyph::kTileLog2] = 12;
   CHECK_EQ(open_bytes(record.size()), Status::corrupt);
-  const uint32_t counts[] = {glyph::kNodeCount, glyph::kCellCount};
-  for (const uint32_t count : counts) {
+  for (const uint32_t count : each_of({glyph::kNodeCount, glyph::kCellCount})) {
     open(record);
     put_u16(bytes + count, font_builder::get_u16(bytes + count) + 1u);
     CHECK_EQ(open_bytes(record.size()), Status::corrupt);
@@ -185,25 +185,24 @@ TEST(refuses_records_that_do_not_fit) {
 }
 
 TEST(refuses_grids_beyond_15360_u) {
-  struct Case {
+  const struct {
     int16_t x0_u;
     int16_t y0_u;
     uint8_t tiles_x;
     uint8_t tiles_y;
     Status expected;
-  };
-  const Case cases[] = {{-15360, -15360, 15, 1, Status::ok},
-                        {-15361, 0, 1, 1, Status::corrupt},
-                        {0, -15361, 1, 1, Status::corrupt},
-                        {15360 - 2048, 0, 1, 1, Status::ok},
-                        {15361 - 2048, 0, 1, 1, Status::corrupt},
-                        {0, 15360 - 2048, 1, 1, Status::ok},
-                        {0, 15361 - 2048, 1, 1, Status::corrupt},
-                        {-32768, 0, 0, 0, Status::corrupt},
-                        {32767, 0, 0, 0, Status::corrupt},
-                        {0, 0, 0, 0, Status::ok},
-                        {0, 0, 255, 0, Status::corrupt}};
-  for (const Case& c : cases) {
+  } cases[] = {{-15360, -15360, 15, 1, Status::ok},
+               {-15361, 0, 1, 1, Status::corrupt},
+               {0, -15361, 1, 1, Status::corrupt},
+               {15360 - 2048, 0, 1, 1, Status::ok},
+               {15361 - 2048, 0, 1, 1, Status::corrupt},
+               {0, 15360 - 2048, 1, 1, Status::ok},
+               {0, 15361 - 2048, 1, 1, Status::corrupt},
+               {-32768, 0, 0, 0, Status::corrupt},
+               {32767, 0, 0, 0, Status::corrupt},
+               {0, 0, 0, 0, Status::ok},
+               {0, 0, 255, 0, Status::corrupt}};
+  for (const auto& c : cases) {
     Record record;
     record.tile_log2 = 11;
     record.x0_u = c.x0_u;
@@ -254,18 +253,15 @@ TEST(locates_down_to_one_unit) {
   }
   *at = record.add_node();  // a node in a square of one unit: outside
   const GlyphField field = open(record);
-  for (int32_t y = 5; y < 13; ++y) {
-    for (int32_t x = -9; x < 7; ++x) {
-      check_cell(record, field, x, y);
-    }
+  for (const auto [x, y] : pixels_of({-9, 5, 7, 13})) {
+    check_cell(record, field, x, y);
   }
   CHECK_EQ(locate(field, 6, 12).size_log2, 0);
   CHECK(!locate(field, 6, 12).inside);
 }
 
 TEST(locates_in_any_bytes) {
-  for (Rounds rounds(5, 200); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(5, 200)) {
     Record record;
     record.tile_log2 = static_cast<uint8_t>(random.below(7));
     record.tiles_x = static_cast<uint8_t>(1 + random.below(3));
@@ -326,11 +322,10 @@ TEST(distance_at_the_nine_samples_is_exact) {
 }
 
 TEST(a_row_is_the_same_as_its_points) {
-  for (Rounds rounds(11, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t i = rounds.number;
+  Rounds rounds(11, 300);
+  for (Random& random : rounds) {
     const auto size_log2 = static_cast<uint8_t>(random.below(12));
-    make_cell(random, (i & 1) != 0);
+    make_cell(random, (rounds.number & 1) != 0);
     const int32_t y = make_position(random, size_log2);
     SamplesRow row;
     row.set_up(bytes, size_log2, y);
@@ -352,11 +347,10 @@ TEST(gradient_is_minus_equations_2_and_3) {
   record.references[0] = glyph::kCellFlag;
   record.cell_count = 1;
   double worst = 0;
-  for (Rounds rounds(21, 6000); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t i = rounds.number;
+  Rounds rounds(21, 6000);
+  for (Random& random : rounds) {
     const int size_log2 = static_cast<int>(random.below(12));
-    make_cell(random, (i & 7) == 0);
+    make_cell(random, (rounds.number & 7) == 0);
     for (uint32_t j = 0; j < samples::kBytes; ++j) {
       record.cells[0][j] = bytes[j];
     }
@@ -388,16 +382,14 @@ TEST(gradient_is_minus_equations_2_and_3) {
 TEST(gradient_points_inwards) {
   const Record record = disc_record();
   const GlyphField field = open(record);
-  struct Case {
+  const struct {
     int32_t x_u;
     int32_t y_u;
     int32_t x;
     int32_t y;
-  };
-  const Case cases[] = {{84, 384, 1, 0},  {684, 384, -1, 0},
-                        {384, 84, 0, 1},  {384, 684, 0, -1},
-                        {204, 144, 3, 4}, {564, 624, -3, -4}};
-  for (const Case& c : cases) {
+  } cases[] = {{84, 384, 1, 0},   {684, 384, -1, 0}, {384, 84, 0, 1},
+               {384, 684, 0, -1}, {204, 144, 3, 4},  {564, 624, -3, -4}};
+  for (const auto& c : cases) {
     const Gradient gradient = gradient_at(field, u(c.x_u), u(c.y_u));
     const int32_t length = c.x != 0 && c.y != 0 ? 5 : 1;
     CHECK(magnitude(gradient.x.raw - c.x * 16384 / length) < 16384 / 32);
@@ -454,8 +446,7 @@ uint32_t hash_of(uint32_t hash, int32_t value) {
 // The same answers for ever: simulations and fonts depend on them.
 TEST(answers_are_bit_by_bit_what_they_were) {
   uint32_t hash = 2166136261u;
-  for (Rounds rounds(77, 60); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(77, 60)) {
     Record record;
     make_any(record, random);
     GlyphField field = open(record);

@@ -52,21 +52,19 @@ TEST(accepts_fields) {
 }
 
 TEST(finds_wrong_references) {
-  struct Case {
+  const struct {
     uint32_t index;
     uint32_t reference;
     Status expected;
-  };
-  const Case cases[] = {
-      {1, glyph::kOutside, Status::ok},
-      {1, glyph::kCellFlag | 1, Status::ok},
-      {1, glyph::kCellFlag | 2, Status::corrupt},   // no such cell
-      {1, 4, Status::corrupt},                      // no such node
-      {3, glyph::kFirstNode, Status::corrupt},      // its parent
-      {3, glyph::kFirstNode + 1, Status::corrupt},  // met twice
-      {0, glyph::kFirstNode + 1, Status::corrupt},  // not the first
-      {4, glyph::kOutside, Status::corrupt}};       // one node never met
-  for (const Case& c : cases) {
+  } cases[] = {{1, glyph::kOutside, Status::ok},
+               {1, glyph::kCellFlag | 1, Status::ok},
+               {1, glyph::kCellFlag | 2, Status::corrupt},   // no such cell
+               {1, 4, Status::corrupt},                      // no such node
+               {3, glyph::kFirstNode, Status::corrupt},      // its parent
+               {3, glyph::kFirstNode + 1, Status::corrupt},  // met twice
+               {0, glyph::kFirstNode + 1, Status::corrupt},  // not the first
+               {4, glyph::kOutside, Status::corrupt}};  // one node never met
+  for (const auto& c : cases) {
     make();
     record.references[c.index] = static_cast<uint16_t>(c.reference);
     CHECK_EQ(verify(), c.expected);

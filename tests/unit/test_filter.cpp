@@ -123,8 +123,7 @@ TEST(run_time_tables_equal_compiled_ones) {
 }
 
 TEST(any_filter_rises) {
-  for (Rounds rounds(3, 25); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(3, 25)) {
     const int32_t outside = random.between(-4096, 4096 - 128);
     check_shape(
         make_filter(spec(outside, random.between(outside + 128, 4096),
@@ -245,16 +244,15 @@ TEST(contrast_is_the_slope_at_half_coverage) {
 }
 
 TEST(presets_follow_the_power) {
-  struct Preset {
+  const struct {
     const Filter& filter;
     double exponent;
-  };
-  const Preset presets[] = {{kFilterText, 1},
-                            {kFilterMotion, 1},
-                            {kFilterPaperDisplay, 282 / 256.0},
-                            {kFilterPaperBody, 282 / 256.0}};
+  } presets[] = {{kFilterText, 1},
+                 {kFilterMotion, 1},
+                 {kFilterPaperDisplay, 282 / 256.0},
+                 {kFilterPaperBody, 282 / 256.0}};
   double worst = 0;
-  for (const Preset& preset : presets) {
+  for (const auto& preset : presets) {
     worst = fmax(worst, worst_preset_error(preset.filter, preset.exponent));
   }
   // Half a level of rounding, and half an entry's rise: 0.55 level at the

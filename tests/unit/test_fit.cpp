@@ -100,8 +100,7 @@ Font hinted_font() {
 }
 
 Style style_of(int32_t px_q6) {
-  Style style(Q26_6::from_raw(px_q6), kFilterText);
-  return style;
+  return Style(Q26_6::from_raw(px_q6), kFilterText);
 }
 
 Fit fit_of(const Font& font, int32_t px_q6, const FitOptions& options = {}) {
@@ -444,9 +443,7 @@ void draw_each(const Font& font, const Style& style, Picture<18, 8>& picture) {
   TextCursor cursor(font, "ABD", style);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    Painter(picture.sink())
-        .glyphs(font, style, {Q26_6::from_int(0), Q26_6::from_int(7)},
-                {&at, 1});
+    Painter(picture.sink()).glyphs(font, style, {0, 7}, {&at, 1});
     picture.next_glyph();
   }
 }
@@ -488,11 +485,8 @@ TEST(fitted_glyphs_look_sharp) {
 // in the window, for any bytes at any size.
 TEST(any_hints_are_safe) {
   static uint8_t bytes[128];
-  for (Rounds rounds(23, INKCELL_BOARD_FIRMWARE ? 30 : 1500); rounds.next();) {
-    Random& random = rounds.random;
-    for (uint8_t& byte : bytes) {
-      byte = static_cast<uint8_t>(random.below(256));
-    }
+  for (Random& random : Rounds(23, INKCELL_BOARD_FIRMWARE ? 30 : 1500)) {
+    random.fill(bytes);
     bytes[0] = static_cast<uint8_t>(random.below(9));
     bytes[4] = static_cast<uint8_t>(random.below(9));
     bytes[5] = static_cast<uint8_t>(random.below(3));
@@ -523,8 +517,7 @@ TEST(any_hints_are_safe) {
       }
       CHECK(!fit.has_advances() || advance_px(fit, font, glyph) >= 0);
       Picture<24, 24> picture;
-      Painter(picture.sink())
-          .glyph(font, style, {Q26_6::from_int(2), Q26_6::from_int(18)}, glyph);
+      Painter(picture.sink()).glyph(font, style, {2, 18}, glyph);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "inkcell/port/gfx_canvas.hpp"
 #include "inkcell/port/tft_sprite.hpp"
 #include "inkcell/port/u8g2_buffer.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -28,10 +29,8 @@ void check_pixels(int32_t width,
                   int32_t height,
                   const Read& read,
                   const Expected& expected) {
-  for (int32_t y = 0; y < height && !check::failed(); ++y) {
-    for (int32_t x = 0; x < width; ++x) {
-      CHECK_EQ(read(x, y), expected(grey_at(x, y)));
-    }
+  for (const auto [x, y] : pixels_of(width, height)) {
+    CHECK_EQ(read(x, y), expected(grey_at(x, y)));
   }
 }
 
@@ -84,21 +83,19 @@ TEST(gfx_canvas8_is_drawn_on) {
 template <typename Read>
 void check_white(const Read& read) {
   int32_t middle = 0;
-  for (int32_t y = 0; y < kHeight && !check::failed(); ++y) {
-    for (int32_t x = 0; x < kWidth; ++x) {
-      const int32_t pixel = read(x, y);
-      const uint8_t coverage = grey_at(x, y);
-      if (coverage == 0 || coverage == 255) {
-        CHECK_EQ(pixel, coverage == 0 ? 0 : 0xffff);
-      } else {
-        // Red, green and blue are within a level of each other, on 32 levels.
-        const int32_t red = pixel >> 11;
-        const int32_t green = pixel >> 6 & 31;
-        const int32_t blue = pixel & 31;
-        CHECK(red - green <= 1 && green - red <= 1 && red == blue);
-        CHECK(8 * red - coverage <= 16 && coverage - 8 * red <= 16);
-        ++middle;
-      }
+  for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+    const int32_t pixel = read(x, y);
+    const uint8_t coverage = grey_at(x, y);
+    if (coverage == 0 || coverage == 255) {
+      CHECK_EQ(pixel, coverage == 0 ? 0 : 0xffff);
+    } else {
+      // Red, green and blue are within a level of each other, on 32 levels.
+      const int32_t red = pixel >> 11;
+      const int32_t green = pixel >> 6 & 31;
+      const int32_t blue = pixel & 31;
+      CHECK(red - green <= 1 && green - red <= 1 && red == blue);
+      CHECK(8 * red - coverage <= 16 && coverage - 8 * red <= 16);
+      ++middle;
     }
   }
   CHECK(middle > 100);

@@ -47,8 +47,7 @@ Font outline_font() {
 }
 
 Style style_of(int32_t px) {
-  Style style(Q26_6::from_int(px), kFilterText);
-  return style;
+  return Style(Q26_6::from_int(px), kFilterText);
 }
 
 GlyphCache cache_of(size_t bytes, const GlyphCacheOptions& options) {
@@ -96,10 +95,6 @@ int32_t compare(GlyphCache& cache,
   return cached.difference(plain);
 }
 
-Point px(int32_t x, int32_t y) {
-  return {Q26_6::from_int(x), Q26_6::from_int(y)};
-}
-
 // As docs/DRAW.md shows it.
 Status draw_clock(const Font& font,
                   const Style& style,
@@ -114,7 +109,7 @@ Status draw_clock(const Font& font,
 
 TEST(the_example_draws) {
   const Font font = sample_font();
-  CHECK_OK(draw_clock(font, style_of(20), px(2, 20), clear(cached)));
+  CHECK_OK(draw_clock(font, style_of(20), {2, 20}, clear(cached)));
   CHECK(cached.ink() > 0);
 }
 
@@ -149,7 +144,7 @@ TEST(without_ram_it_draws_all_the_same) {
   const Font font = outline_font();
   const Style style = style_of(20);
   GlyphCache cache;
-  CHECK_EQ(compare(cache, font, 1, style, px(8, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {8, 20}), 0);
   CHECK(cached.ink() > 0);
   CHECK_EQ(cache.stats().hits + cache.stats().misses, 0u);
 }
@@ -189,7 +184,7 @@ TEST(glyphs_are_drawn_at_the_nearest_phase) {
   options.phases = 4;
   GlyphCache cache = cache_of(sizeof ram, options);
   for (int32_t raw = 576; raw < 704; ++raw) {
-    const Q26_6 y = Q26_6::from_int(20);
+    const Q26_6 y = 20_px;
     Painter(clear(cached), {}, &cache)
         .glyph(font, style, {Q26_6::from_raw(raw), y}, 1);
     Painter(clear(plain))
@@ -205,14 +200,14 @@ TEST(strips_and_windows_do_not_matter) {
   const Style style = style_of(20);
   const Text text = "ABCA";
   GlyphCache whole = cache_of(2048, exact());
-  Painter(clear(plain), {}, &whole).text(font, style, px(-3, 18), text);
+  Painter(clear(plain), {}, &whole).text(font, style, {-3, 18}, text);
   CHECK(plain.ink() > 0);
   for (int32_t rows = 1; rows < 9; ++rows) {
     GlyphCache cache = cache_of(2048, exact());
     cached.clear();
     cached.draw_parts(rows, 5 * rows, [&](Sink sink) {
       sink.block = rows % 2 == 0 ? Page::block : nullptr;
-      Painter(sink, {}, &cache).text(font, style, px(-3, 18), text);
+      Painter(sink, {}, &cache).text(font, style, {-3, 18}, text);
     });
     CHECK(cached == plain);
   }
@@ -224,8 +219,8 @@ TEST(glyphs_outside_the_window_are_not_recorded) {
   GlyphCache cache = cache_of(2048, exact());
   const Sink sink = clear(cached);
   const Painter painter(sink, {}, &cache);
-  painter.glyph(font, style, px(500, 18), 2);
-  painter.glyph(font, style, px(10, 18), 1);  // a space
+  painter.glyph(font, style, {500, 18}, 2);
+  painter.glyph(font, style, {10, 18}, 1);  // a space
   CHECK_EQ(cache.stats().misses, 0u);
   CHECK_EQ(cache.stats().glyphs, 0u);
   CHECK_EQ(cached.ink(), 0);
@@ -240,16 +235,16 @@ TEST(the_glyph_unused_for_the_longest_time_leaves) {
   // Phase by phase until one had to leave, with the first always in use.
   int32_t drawn = 0;
   while (cache.stats().evictions == 0 && drawn < 60) {
-    painter.glyph(font, style, px(10, 20), 1);
-    const Point origin = {Q26_6::from_raw(641 + drawn), Q26_6::from_int(20)};
+    painter.glyph(font, style, {10, 20}, 1);
+    const Point origin = {Q26_6::from_raw(641 + drawn), 20_px};
     painter.glyph(font, style, origin, 1);
     ++drawn;
   }
   CHECK(drawn > 2 && drawn < 60);
   const GlyphCacheStats before = cache.stats();
-  painter.glyph(font, style, px(10, 20), 1);
+  painter.glyph(font, style, {10, 20}, 1);
   CHECK_EQ(cache.stats().hits, before.hits + 1);
-  const Point second = {Q26_6::from_raw(641), Q26_6::from_int(20)};
+  const Point second = {Q26_6::from_raw(641), 20_px};
   painter.glyph(font, style, second, 1);
   CHECK_EQ(cache.stats().misses, before.misses + 1);
   CHECK(cache.stats().bytes <= cache.stats().capacity);
@@ -258,7 +253,7 @@ TEST(the_glyph_unused_for_the_longest_time_leaves) {
 TEST(glyphs_that_are_too_large_are_drawn_and_not_kept) {
   const Font font = sample_font();
   GlyphCache cache = cache_of(512, exact());
-  CHECK_EQ(compare(cache, font, 2, style_of(40), px(4, 24)), 0);
+  CHECK_EQ(compare(cache, font, 2, style_of(40), {4, 24}), 0);
   CHECK(cached.ink() > 0);
   CHECK_EQ(cache.stats().bypasses, 1u);
   CHECK_EQ(cache.stats().misses, 0u);
@@ -268,18 +263,18 @@ TEST(styles_are_told_apart_by_value) {
   const Font font = outline_font();
   GlyphCache cache = cache_of(4096, exact(2));
   Style style = style_of(20);
-  CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {10, 20}), 0);
   // In the same place, as on a stack.
   style = style_of(16);
-  CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {10, 20}), 0);
   const Style other = style_of(20);
-  CHECK_EQ(compare(cache, font, 1, other, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, other, {10, 20}), 0);
   CHECK_EQ(cache.stats().hits, 1u);
   CHECK_EQ(cache.stats().misses, 2u);
   // A third one takes the slot of 16 px.
-  CHECK_EQ(compare(cache, font, 1, style_of(12), px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style_of(12), {10, 20}), 0);
   CHECK_EQ(cache.stats().glyphs, 2u);
-  CHECK_EQ(compare(cache, font, 1, other, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, other, {10, 20}), 0);
   CHECK_EQ(cache.stats().hits, 2u);
 }
 
@@ -317,8 +312,8 @@ TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   run[1].face = 1;
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
-    Painter(clear(cached), {}, &cache).glyphs(face, fallback, px(6, 20), run);
-    Painter(clear(plain)).glyphs(face, fallback, px(6, 20), run);
+    Painter(clear(cached), {}, &cache).glyphs(face, fallback, {6, 20}, run);
+    Painter(clear(plain)).glyphs(face, fallback, {6, 20}, run);
     CHECK(cached == plain);
   }
   CHECK_EQ(cache.stats().misses, 2u);
@@ -334,7 +329,7 @@ TEST(faces_without_a_glyph_take_no_slot) {
   GlyphCache cache = cache_of(2048, exact());
   for (int32_t round = 0; round < 3; ++round) {
     Painter(clear(cached), {}, &cache)
-        .glyphs({&fonts[0], &styles[0]}, fallback, px(6, 20), run);
+        .glyphs({&fonts[0], &styles[0]}, fallback, {6, 20}, run);
   }
   CHECK_EQ(cache.stats().hits, 2u);
   CHECK_EQ(cache.stats().evictions, 0u);
@@ -347,10 +342,10 @@ TEST(sub_pixels_are_kept_by_channel) {
   style.set_effect(lcd);
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
-    CHECK_EQ(compare(cache, font, 1, style, px(10, 20), false, true), 0);
-    CHECK_EQ(compare(cache, font, 2, style, px(10, 20), false, true), 0);
+    CHECK_EQ(compare(cache, font, 1, style, {10, 20}, false, true), 0);
+    CHECK_EQ(compare(cache, font, 2, style, {10, 20}, false, true), 0);
     // A sink without channels has an entry of its own.
-    CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
+    CHECK_EQ(compare(cache, font, 1, style, {10, 20}), 0);
   }
   CHECK_EQ(cache.stats().hits, 3u);
   CHECK_EQ(cache.stats().misses, 3u);
@@ -361,9 +356,9 @@ TEST(effects_fit_their_box) {
   const Filter glow = glow_filter(Q6_10::from_int(3));
   Style style(14_px, glow);
   GlyphCache cache = cache_of(4096, exact());
-  CHECK_EQ(compare(cache, font, 1, style, px(12, 18)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {12, 18}), 0);
   CHECK_EQ(cache.stats().misses, 1u);
-  CHECK_EQ(compare(cache, font, 1, style, px(12, 18)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {12, 18}), 0);
   CHECK_EQ(cache.stats().hits, 1u);
 }
 
@@ -372,20 +367,19 @@ TEST(clear_forgets_everything) {
   const Style style = style_of(20);
   GlyphCache cache = cache_of(2048, exact());
   const uint32_t empty = cache.stats().bytes;
-  CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {10, 20}), 0);
   CHECK(cache.stats().bytes > empty);
   cache.clear();
   CHECK_EQ(cache.stats().bytes, empty);
   CHECK_EQ(cache.stats().glyphs, 0u);
-  CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
+  CHECK_EQ(compare(cache, font, 1, style, {10, 20}), 0);
   CHECK_EQ(cache.stats().misses, 2u);
 }
 
 // Small caches, in which almost every glyph makes others leave.
 TEST(random_calls_draw_as_without_a_cache) {
   const Font fonts[] = {sample_font(), outline_font()};
-  for (Rounds rounds(20261123, 12); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(20261123, 12)) {
     GlyphCacheOptions options =
         exact(static_cast<uint8_t>(random.between(1, 3)));
     options.bits = random.below(2) == 0 ? 4 : 8;

@@ -42,8 +42,7 @@ TEST(knots_ascend) {
 }
 
 TEST(maps_are_monotone_from_wherever_they_begin) {
-  for (Rounds rounds(5, 200); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(5, 200)) {
     AxisMap map = {};
     map.clear();
     for (int i = 0; i < 40; ++i) {

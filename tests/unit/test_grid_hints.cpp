@@ -169,8 +169,7 @@ TEST(code_words_are_read_and_checked) {
 TEST(any_bytes_are_safe) {
   static uint8_t section[96];
   static uint8_t bytes[96];
-  for (Rounds rounds(17, INKCELL_BOARD_FIRMWARE ? 40 : 2000); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(17, INKCELL_BOARD_FIRMWARE ? 40 : 2000)) {
     for (size_t i = 0; i < sizeof section; ++i) {
       section[i] = static_cast<uint8_t>(random.below(256));
       bytes[i] = static_cast<uint8_t>(random.below(256));

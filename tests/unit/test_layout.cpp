@@ -7,6 +7,7 @@
 #include "inkcell/painter.hpp"
 #include "layout_font.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "sample_rom.hpp"
 
 namespace {
@@ -118,18 +119,18 @@ TEST(widths_are_those_of_what_is_seen) {
   const Setting setting;
   LayoutOptions options(setting.font, setting.style);
   TextLine line;
-  CHECK(next_line(options, {}, "AB   ", Q26_6::from_int(99), line));
+  CHECK(next_line(options, {}, "AB   ", 99_px, line));
   CHECK_EQ(line.width, 1500);  // without spaces at the end
-  options.letter_spacing = Q26_6::from_int(1);
+  options.letter_spacing = 1_px;
   line = {};
-  CHECK(next_line(options, {}, "ABA", Q26_6::from_int(99), line));
+  CHECK(next_line(options, {}, "ABA", 99_px, line));
   CHECK_EQ(line.width, 3 * 750 + 2 * 100);
   options.letter_spacing = {};
   line = {};
   CHECK(next_line(options, {},
                   "A\xe2\x80\x8b\xc2\xad\xef\xb8\x8f"
                   "B",
-                  Q26_6::from_int(99), line));
+                  99_px, line));
   CHECK_EQ(line.width, 1500);  // what has no width adds nothing
 }
 
@@ -140,14 +141,14 @@ TEST(soft_hyphens_show_where_lines_end) {
   CHECK(next_line(options, {},
                   "AB\xc2\xad"
                   "AB",
-                  Q26_6::from_int(22), line));
+                  22_px, line));
   CHECK(line.has_hyphen);
   CHECK_EQ(line.next, 4);
   CHECK_EQ(line.width, 2 * 750 + 600);
   CHECK(next_line(options, {},
                   "AB\xc2\xad"
                   "AB",
-                  Q26_6::from_int(22), line));
+                  22_px, line));
   CHECK(!line.has_hyphen);
 }
 
@@ -168,8 +169,8 @@ TEST(fonts_may_lack_what_layout_adds) {
   Span<const PositionedGlyph> glyphs;
   TextLine line;
   const Text text = "A A\xcc\x87\xd6\xb0\xcc\x81 A";
-  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, 99_px, line));
+  CHECK_OK(lay_out(options, {}, text, line, 99_px, room, glyphs));
   CHECK_EQ(glyphs.size, 3);
   CHECK_EQ(line.width, 3 * 750);
   CHECK_EQ(line.width, measure(setting.font, text).advance);
@@ -178,22 +179,19 @@ TEST(fonts_may_lack_what_layout_adds) {
       "AA\xc2\xad"
       "AA";
   line = {};
-  CHECK(next_line(options, {}, hyphenated, Q26_6::from_int(16), line));
+  CHECK(next_line(options, {}, hyphenated, 16_px, line));
   CHECK_EQ(line.next, 4);
   CHECK_EQ(line.width, 2 * 750);
-  CHECK_OK(lay_out(options, {}, hyphenated, line, Q26_6::from_int(16), room,
-                   glyphs));
+  CHECK_OK(lay_out(options, {}, hyphenated, line, 16_px, room, glyphs));
   CHECK_EQ(glyphs.size, 2);
 
   options.wraps = false;
-  const Ellipsis places[] = {Ellipsis::end, Ellipsis::middle};
-  for (const Ellipsis place : places) {
+  for (const Ellipsis place : each_of({Ellipsis::end, Ellipsis::middle})) {
     options.ellipsis = place;
     line = {};
-    CHECK(next_line(options, {}, "AAAAA", Q26_6::from_int(24), line));
-    shorten(options, {}, "AAAAA", Q26_6::from_int(24), line);
-    CHECK_OK(
-        lay_out(options, {}, "AAAAA", line, Q26_6::from_int(24), room, glyphs));
+    CHECK(next_line(options, {}, "AAAAA", 24_px, line));
+    shorten(options, {}, "AAAAA", 24_px, line);
+    CHECK_OK(lay_out(options, {}, "AAAAA", line, 24_px, room, glyphs));
     CHECK_EQ(glyphs.size, 3);
     for (const PositionedGlyph& glyph : glyphs) {
       CHECK_EQ(glyph.glyph, 1);
@@ -204,15 +202,15 @@ TEST(fonts_may_lack_what_layout_adds) {
 TEST(tabs_stop) {
   const Setting setting;
   LayoutOptions options(setting.font, setting.style);
-  const Q26_6 stops[] = {Q26_6::from_int(12), Q26_6::from_int(15)};
+  const Q26_6 stops[] = {12_px, 15_px};
   options.tab_stops = stops;
-  options.tab_width = Q26_6::from_int(20);
+  options.tab_width = 20_px;
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
   TextLine line;
   const Text text = "A\tB\tC\tC";
-  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, 99_px, line));
+  CHECK_OK(lay_out(options, {}, text, line, 99_px, room, glyphs));
   CHECK_EQ(glyphs.size, 4);
   CHECK_EQ(glyphs[1].x, 1200);
   CHECK_EQ(glyphs[2].x, 2000);  // behind the last stop: multiples
@@ -224,54 +222,50 @@ TEST(boxes_align) {
   const Setting setting;
   Picture<22, 22> picture;
   setting.box({1, 0, 21, 22}, Align::centre).draw("CC C", picture.sink());
-  CHECK_PICTURE(picture,
-                "......................\n"
-                "......................\n"
-                ".......:::...:::......\n"
-                "......:##:..:##:......\n"
-                "......:##:..:##:......\n"
-                "......:##:..:##:......\n"
-                "......:##:..:##:......\n"
-                "......:##:..:##:......\n"
-                "......:**:..:**:......\n"
-                "......................\n"
-                "......................\n"
-                "......................\n"
-                "......................\n"
-                "..........:::.........\n"
-                ".........:##:.........\n"
-                ".........:##:.........\n"
-                ".........:##:.........\n"
-                ".........:##:.........\n"
-                ".........:##:.........\n"
-                ".........:**:.........\n");
+  CHECK_PICTURE_AT(picture, 6, 2,
+                   ".:::...:::\n"
+                   ":##:..:##:\n"
+                   ":##:..:##:\n"
+                   ":##:..:##:\n"
+                   ":##:..:##:\n"
+                   ":##:..:##:\n"
+                   ":**:..:**:\n"
+                   "..........\n"
+                   "..........\n"
+                   "..........\n"
+                   "..........\n"
+                   "....:::...\n"
+                   "...:##:...\n"
+                   "...:##:...\n"
+                   "...:##:...\n"
+                   "...:##:...\n"
+                   "...:##:...\n"
+                   "...:**:...\n");
 }
 
 TEST(boxes_justify) {
   const Setting setting;
   static Picture<40, 22> picture;  // stacks of boards have 4 KB
   setting.box({0, 0, 37, 22}, Align::justify).draw("C C C C", picture.sink());
-  CHECK_PICTURE(picture,
-                "........................................\n"
-                "........................................\n"
-                "..:::............:::.............:::....\n"
-                ".:##:............+#*............:##:....\n"
-                ".:##:............+#*............:##:....\n"
-                ".:##:............+#*............:##:....\n"
-                ".:##:............+#*............:##:....\n"
-                ".:##:............+#*............:##:....\n"
-                ".:**:............+#*............:**:....\n"
-                ".................:......................\n"
-                "........................................\n"
-                "........................................\n"
-                "........................................\n"
-                "..:::...................................\n"
-                ".:##:...................................\n"
-                ".:##:...................................\n"
-                ".:##:...................................\n"
-                ".:##:...................................\n"
-                ".:##:...................................\n"
-                ".:**:...................................\n");
+  CHECK_PICTURE_AT(picture, 1, 2,
+                   ".:::............:::.............:::\n"
+                   ":##:............+#*............:##:\n"
+                   ":##:............+#*............:##:\n"
+                   ":##:............+#*............:##:\n"
+                   ":##:............+#*............:##:\n"
+                   ":##:............+#*............:##:\n"
+                   ":**:............+#*............:**:\n"
+                   "................:..................\n"
+                   "...................................\n"
+                   "...................................\n"
+                   "...................................\n"
+                   ".:::...............................\n"
+                   ":##:...............................\n"
+                   ":##:...............................\n"
+                   ":##:...............................\n"
+                   ":##:...............................\n"
+                   ":##:...............................\n"
+                   ":**:...............................\n");
 }
 
 TEST(boxes_clip_and_shorten) {
@@ -281,17 +275,14 @@ TEST(boxes_clip_and_shorten) {
   box.options.ellipsis = Ellipsis::end;
   box.options.wraps = false;
   box.draw("CCCCCC", picture.sink());
-  CHECK_PICTURE(picture,
-                "................................\n"
-                "................................\n"
-                "................................\n"
-                "....:::...:::...:::...:::.......\n"
-                "...:##:..:##:..:##:..:##:.......\n"
-                "...:##:..:##:..:##:..:##:.......\n"
-                "...:##:..:##:..:##:..:##:.......\n"
-                "...:##:..:##:..:##:..:##:.......\n"
-                "...:##:..:##:..:##:..:##:.......\n"
-                "...:**:..:**:..:**:..:**:.......\n");
+  CHECK_PICTURE_AT(picture, 3, 3,
+                   ".:::...:::...:::...:::\n"
+                   ":##:..:##:..:##:..:##:\n"
+                   ":##:..:##:..:##:..:##:\n"
+                   ":##:..:##:..:##:..:##:\n"
+                   ":##:..:##:..:##:..:##:\n"
+                   ":##:..:##:..:##:..:##:\n"
+                   ":**:..:**:..:**:..:**:\n");
 }
 
 // The last line of a box holds what it has room for, not whole words.
@@ -320,9 +311,9 @@ TEST(an_ellipsis_fills_its_line) {
   CHECK_EQ(lines[1].skip_at, 1);
   // By hand.
   TextLine line;
-  CHECK(next_line(box.options, {}, "A ABABABAB", Q26_6::from_int(46), line));
+  CHECK(next_line(box.options, {}, "A ABABABAB", 46_px, line));
   CHECK_EQ(line.next, 2);
-  shorten(box.options, {}, "A ABABABAB", Q26_6::from_int(46), line);
+  shorten(box.options, {}, "A ABABABAB", 46_px, line);
   CHECK_EQ(line.skip_at, 4);
 }
 
@@ -358,10 +349,7 @@ TEST(ink_may_overhang_a_box) {
   CHECK_EQ(whole.ink(), boxed.ink());
   const Rect ink = box.box("A", {});
   const Rect by_painter = Painter().box(font, style, {3, 13}, "A");
-  CHECK_EQ(ink.x0, by_painter.x0);
-  CHECK_EQ(ink.y0, by_painter.y0);
-  CHECK_EQ(ink.x1, by_painter.x1);
-  CHECK_EQ(ink.y1, by_painter.y1);
+  CHECK(is_same(ink, by_painter));
   CHECK(ink.x1 > box.rect.x1 && ink.y0 < box.rect.y0);
   // Ink is cut where somebody asks for it.
   box.clip = box.rect;
@@ -398,8 +386,8 @@ TEST(mixed_lines_are_ordered) {
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
   TextLine line;
-  CHECK(next_line(options, {}, text, Q26_6::from_int(99), line));
-  CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK(next_line(options, {}, text, 99_px, line));
+  CHECK_OK(lay_out(options, {}, text, line, 99_px, room, glyphs));
   const uint16_t expected[] = {0, 4, 2, 7};  // offsets from left to right
   CHECK_EQ(glyphs.size, 4);
   for (size_t i = 0; i != 4; ++i) {
@@ -441,11 +429,10 @@ TEST(faces_fall_back) {
   options.fallback = fallback;
   const Text text = "A\xd7\x90Z";
   TextLine line;
-  CHECK(next_line(options, {}, text, Q26_6::from_int(100), line));
+  CHECK(next_line(options, {}, text, 100_px, line));
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(
-      lay_out(options, {}, text, line, Q26_6::from_int(100), room, glyphs));
+  CHECK_OK(lay_out(options, {}, text, line, 100_px, room, glyphs));
   CHECK_EQ(glyphs.size, 3);
   CHECK_EQ(glyphs[0].face, 0);
   CHECK_EQ(glyphs[1].face, 1);
@@ -468,17 +455,15 @@ TEST(labels_scroll) {
       ScrollingLabel::make(options, {}, "CACAC", {1, 0, 21, 12}, room, label));
   CHECK(label.needs_scrolling());
   Picture<22, 12> picture;
-  label.draw_endless(Q26_6::from_int(-10), Q26_6::from_int(4), picture.sink());
-  CHECK_PICTURE(picture,
-                "......................\n"
-                "......................\n"
-                "...:::.......:::...++.\n"
-                "..:##:......:##:..+##.\n"
-                "..:##:......:##:.:###.\n"
-                "..:##:......:##:.:###.\n"
-                "..:##:......:##:..*##.\n"
-                "..:##:......:##:..:*#.\n"
-                "..:**:......:**:....:.\n");
+  label.draw_endless(Q26_6::from_int(-10), 4_px, picture.sink());
+  CHECK_PICTURE_AT(picture, 2, 2,
+                   ".:::.......:::...++\n"
+                   ":##:......:##:..+##\n"
+                   ":##:......:##:.:###\n"
+                   ":##:......:##:.:###\n"
+                   ":##:......:##:..*##\n"
+                   ":##:......:##:..:*#\n"
+                   ":**:......:**:....:\n");
 }
 
 TEST(a_label_that_fits_is_not_cut) {

@@ -9,10 +9,7 @@
 namespace {
 
 using namespace inkcell;
-using effect::draw;
-using effect::kAll;
-using effect::kSide;
-using effect::picture;
+using namespace effect;
 
 // Where the middle of the ink lies. [1/64 px]
 struct Middle {
@@ -54,15 +51,14 @@ void check_place(const GlyphField& field, Style style, FinePoint origin) {
 TEST(sub_pixels_lie_where_text_lies) {
   constexpr font_builder::Shape kShapes[] = {
       font_builder::disc, font_builder::ring, font_builder::bar};
-  constexpr int32_t kSizes[] = {16, 21, 30};
   for (const font_builder::Shape shape : kShapes) {
-    const GlyphField field = effect::field_of(shape);
-    for (const int32_t px : kSizes) {
+    const GlyphField field = field_of(shape);
+    for (const int32_t px : each_of({16, 21, 30})) {
       for (int32_t phase = 0; phase < 4; ++phase) {
         const FinePoint shift(256 * phase, 200 * phase);
-        check_place(field, effect::style_of(px * 64, false),
+        check_place(field, style_of(px * 64, false),
                     {2 * 1024 + shift.x_q10, 32 * 1024 + shift.y_q10});
-        check_place(field, effect::style_of(px * 64, true),
+        check_place(field, style_of(px * 64, true),
                     {1024 + shift.x_q10, 9 * 1024 + shift.y_q10});
       }
     }

@@ -5,12 +5,14 @@
 #include "inkcell/stroke.hpp"
 #include "outline_font.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 
 namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kSide = 160;
 using Page = Picture<kSide, kSide, Overlap::greatest>;
@@ -21,10 +23,7 @@ Sink sink_of(Page& page) {
   return page.sink();
 }
 
-void draw(const Font& font,
-          const Style& style,
-          const TextCircle& circle,
-          Text text) {
+void draw(const Style& style, const TextCircle& circle, Text text) {
   draw_on_circle(sink_of(drawn), font, style, circle, text);
 }
 
@@ -32,11 +31,9 @@ void draw(const Font& font,
 Point middle_of(const Page& page) {
   int64_t x_sum = 0;
   int64_t y_sum = 0;
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      x_sum += int64_t{page.at(x, y)} * (64 * x + 32);
-      y_sum += int64_t{page.at(x, y)} * (64 * y + 32);
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    x_sum += int64_t{page.at(x, y)} * (64 * x + 32);
+    y_sum += int64_t{page.at(x, y)} * (64 * y + 32);
   }
   const int32_t ink = page.ink();
   CHECK(ink > 0);
@@ -59,7 +56,6 @@ const Angle kTop = from_degrees(90);
 const Angle kBottom = from_degrees(270);
 
 TEST(glyphs_at_the_top_and_the_bottom_are_upright) {
-  const Font font = sample_font();
   const Style style(24_px);
   const int32_t half = to_px(font, style, measure(font, "D").advance).raw / 2;
   const struct {
@@ -69,7 +65,7 @@ TEST(glyphs_at_the_top_and_the_bottom_are_upright) {
   } places[] = {{kTop, CircleSide::outside, 80 - 50},
                 {kBottom, CircleSide::inside, 80 + 50}};
   for (const auto& place : places) {
-    draw(font, style, {{80, 80}, 50_px, place.at, place.side}, "D");
+    draw(style, {{80, 80}, 50_px, place.at, place.side}, "D");
     Painter(sink_of(expected))
         .text(
             font, style,
@@ -82,7 +78,6 @@ TEST(glyphs_at_the_top_and_the_bottom_are_upright) {
 
 // The example of docs/DRAW.md.
 TEST(a_line_on_a_circle_is_one_call) {
-  const Font font = sample_font();
   const Style style(16_px);
   const Sink sink = sink_of(drawn);
   const Painter painter(sink);
@@ -95,16 +90,15 @@ TEST(a_line_on_a_circle_is_one_call) {
 
 // All around: a quarter of a turn turns the ink about the centre.
 TEST(lines_turn_about_the_centre) {
-  const Font font = sample_font();
   const Style style(18_px);
-  constexpr CircleSide kSides[] = {CircleSide::outside, CircleSide::inside};
-  for (const CircleSide side : kSides) {
+  for (const CircleSide side :
+       each_of({CircleSide::outside, CircleSide::inside})) {
     TextCircle circle = {{80, 80}, 50_px, from_degrees(20), side};
-    draw(font, style, circle, "AFD");
+    draw(style, circle, "AFD");
     const Point first = middle_of(drawn);
     const int32_t ink = drawn.ink();
     circle.at = turned(circle.at, 1 << 14);
-    draw(font, style, circle, "AFD");
+    draw(style, circle, "AFD");
     CHECK(is_near(middle_of(drawn),
                   Point(Q26_6::from_raw(first.y.raw),
                         Q26_6::from_raw(160 * 64 - first.x.raw))));
@@ -115,48 +109,46 @@ TEST(lines_turn_about_the_centre) {
 // The anchors of a line are where its glyphs begin and end: on the circle that
 // is a quarter of the em from the baseline, towards the heads.
 TEST(lines_run_from_their_anchor) {
-  const Font font = sample_font();
   const Style style(16_px);
   const int32_t units = measure(font, "AAA").advance;
   const int64_t px_q16 = to_px(font, style, units).raw << 10;
-  constexpr CircleSide kSides[] = {CircleSide::outside, CircleSide::inside};
-  for (const CircleSide side : kSides) {
+  for (const CircleSide side :
+       each_of({CircleSide::outside, CircleSide::inside})) {
     const int32_t spaced = side == CircleSide::outside ? 54 : 46;
     // Clockwise outside.
     const auto turn =
         static_cast<int32_t>(px_q16 * 10000 / (62832 * spaced) *
                              (side == CircleSide::outside ? -1 : 1));
     TextCircle circle = {{80, 80}, 50_px, kTop, side, Anchor::left};
-    draw(font, style, circle, "AAA");
+    draw(style, circle, "AAA");
     const Point by_start = middle_of(drawn);
     circle.anchor = Anchor::centre;
     circle.at = turned(kTop, turn / 2);
-    draw(font, style, circle, "AAA");
+    draw(style, circle, "AAA");
     CHECK(is_near(middle_of(drawn), by_start));
     circle.anchor = Anchor::right;
     circle.at = turned(kTop, turn);
-    draw(font, style, circle, "AAA");
+    draw(style, circle, "AAA");
     CHECK(is_near(middle_of(drawn), by_start));
     // The last of three letters alone.
     circle.anchor = Anchor::centre;
     circle.at = turned(kTop, turn * 5 / 6);
-    draw(font, style, circle, "A");
+    draw(style, circle, "A");
     const Point last = middle_of(drawn);
     circle.anchor = Anchor::left;
     circle.at = turned(kTop, turn * 2 / 3);
-    draw(font, style, circle, "A");
+    draw(style, circle, "A");
     CHECK(is_near(middle_of(drawn), last));
   }
 }
 
 TEST(boxes_hold_what_is_drawn) {
-  const Font font = sample_font();
   Style style(16_px);
   const Stroke stroke(kFilterText, Q6_10::from_int(2));
   for (int32_t round = 0; round < 2; ++round) {
     for (int32_t degrees = 0; degrees < 360; degrees += 24) {
       const TextCircle circle = {{80, 80}, 50_px, from_degrees(degrees)};
-      draw(font, style, circle, "ADEF");
+      draw(style, circle, "ADEF");
       const Rect box = draw_on_circle({}, font, style, circle, "ADEF");
       CHECK(drawn.lies_in(box));
       CHECK(box.x1 - box.x0 < 70 && box.y1 - box.y0 < 70);
@@ -166,7 +158,6 @@ TEST(boxes_hold_what_is_drawn) {
 }
 
 TEST(any_circle_is_safe) {
-  const Font font = sample_font();
   const Style style(kMaxSize);
   constexpr int32_t kRadii[] = {INT32_MIN, -64, 0, 1, 64, INT32_MAX};
   constexpr int32_t kCentres[] = {INT32_MIN, 0, INT32_MAX};
@@ -179,8 +170,8 @@ TEST(any_circle_is_safe) {
             Angle::from_raw(65535),
             static_cast<CircleSide>(side),
             Anchor::right};
-        draw(font, style, circle, "ADEF");
-        draw(font, style, circle, "");
+        draw(style, circle, "ADEF");
+        draw(style, circle, "");
       }
     }
   }

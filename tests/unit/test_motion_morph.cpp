@@ -8,18 +8,20 @@
 #include "inkcell/painter.hpp"
 #include "outline_font.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 
 namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kWidth = 64;
 constexpr int32_t kHeight = 56;
 constexpr int32_t kOne = 1 << 16;
-constexpr Q26_6 kSize = Q26_6::from_int(48);
+constexpr Q26_6 kSize = 48_px;
 constexpr MorphBox kBox = {kWidth, kHeight, 44, 0};
 constexpr uint16_t kDiscGlyph = 1;
 constexpr uint16_t kBarGlyph = 2;
@@ -39,33 +41,29 @@ void draw_whole(const GlyphMorph& morph, Picture<kWidth, kHeight>& out) {
 TEST(grids_hold_distances) {
   // The bar from x = 200 to 440 u, y = 0 to 640 u, at 64 px/em: 12.5 to 27.5
   // px and 0 to 40 px. Its origin is at (4, 48).
-  const Font& font = sample_font();
   for (int32_t scale = 0; scale <= 2; ++scale) {
     const int32_t side = DistanceGrid::samples_of(56, scale);
     DistanceGrid grid(memory, side, side, scale);
     CHECK_EQ(grid.width(), side);
     grid.clear();
-    CHECK_OK(grid.paint(font, kBarGlyph, Q26_6::from_int(64),
-                        {Q26_6::from_int(4), Q26_6::from_int(48)}));
-    for (int32_t y = 0; y < side; ++y) {
-      for (int32_t x = 0; x < side; ++x) {
-        // In 1/32 of a side; off corners the nearest side decides.
-        const int32_t px_q6 = ((2 * x + 1) << scale) * 32;
-        const int32_t py_q6 = ((2 * y + 1) << scale) * 32;
-        const int32_t left = px_q6 - (16 * 64 + 32);
-        const int32_t right = (31 * 64 + 32) - px_q6;
-        const int32_t top = py_q6 - 8 * 64;
-        const int32_t bottom = 48 * 64 - py_q6;
-        const int32_t across = left < right ? left : right;
-        const int32_t along = top < bottom ? top : bottom;
-        if (across < 0 && along < 0) {
-          continue;
-        }
-        const int32_t least = across < along ? across : along;
-        int32_t expected = least >> (1 + scale);
-        expected = expected > 127 ? 127 : expected < -128 ? -128 : expected;
-        CHECK(magnitude(grid.at(x, y) - expected) <= 1);
+    CHECK_OK(grid.paint(font, kBarGlyph, 64_px, {4, 48}));
+    for (const auto [x, y] : pixels_of(side, side)) {
+      // In 1/32 of a side; off corners the nearest side decides.
+      const int32_t px_q6 = ((2 * x + 1) << scale) * 32;
+      const int32_t py_q6 = ((2 * y + 1) << scale) * 32;
+      const int32_t left = px_q6 - (16 * 64 + 32);
+      const int32_t right = (31 * 64 + 32) - px_q6;
+      const int32_t top = py_q6 - 8 * 64;
+      const int32_t bottom = 48 * 64 - py_q6;
+      const int32_t across = left < right ? left : right;
+      const int32_t along = top < bottom ? top : bottom;
+      if (across < 0 && along < 0) {
+        continue;
       }
+      const int32_t least = across < along ? across : along;
+      int32_t expected = least >> (1 + scale);
+      expected = expected > 127 ? 127 : expected < -128 ? -128 : expected;
+      CHECK(magnitude(grid.at(x, y) - expected) <= 1);
     }
     CHECK_EQ(grid.at(-1, 0), DistanceGrid::kOutside);
     CHECK_EQ(grid.at(0, side), DistanceGrid::kOutside);
@@ -73,21 +71,17 @@ TEST(grids_hold_distances) {
 }
 
 TEST(grids_unite_what_is_painted) {
-  const Font& font = sample_font();
   DistanceGrid grid(memory, kWidth, kHeight, 0);
   DistanceGrid both({memory + kWidth * kHeight, kWidth * kHeight}, kWidth,
                     kHeight, 0);
-  const Point kPlaces[] = {{Q26_6::from_int(2), Q26_6::from_int(40)},
-                           {Q26_6::from_int(20), Q26_6::from_int(44)}};
+  const Point kPlaces[] = {{2, 40}, {20, 44}};
   both.clear();
   CHECK_OK(both.paint(font, kBarGlyph, kSize, kPlaces[0]));
   CHECK_OK(both.paint(font, kDiscGlyph, kSize, kPlaces[1]));
   grid.clear();
   CHECK_OK(grid.paint(font, kBarGlyph, kSize, kPlaces[0]));
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = 0; x < kWidth; ++x) {
-      CHECK(both.at(x, y) >= grid.at(x, y));
-    }
+  for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+    CHECK(both.at(x, y) >= grid.at(x, y));
   }
   CHECK(both.depth() >= grid.depth());
   CHECK(grid.depth() > 0);
@@ -102,13 +96,11 @@ TEST(grids_refuse_what_does_not_fit) {
   CHECK_EQ(DistanceGrid(memory, 10, 10, -1).width(), 0);
   DistanceGrid grid(memory, 10, 10, 3);
   grid.clear();
-  CHECK_EQ(grid.paint(sample_font(), kBarGlyph, Q26_6::from_int(31), {}),
-           Status::bad_argument);
+  CHECK_EQ(grid.paint(font, kBarGlyph, 31_px, {}), Status::bad_argument);
   CHECK_EQ(grid.depth(), 0);
 }
 
 TEST(morphs_end_as_plain_glyphs) {
-  const Font& font = sample_font();
   GlyphMorph morph(font, kSize, kFilterMotion, kBox, memory);
   Style style(kSize, kFilterMotion);
   for (uint16_t from = 1; from < 6; ++from) {
@@ -134,8 +126,7 @@ TEST(morphs_end_as_plain_glyphs) {
 // Strokes of 2 to 6 samples: the area of each frame is on the line between the
 // ends, no frame is empty, and no step changes much more than the mean does.
 TEST(areas_go_evenly_and_nothing_pops) {
-  const Font& font = sample_font();
-  GlyphMorph morph(font, Q26_6::from_int(24), kFilterMotion, kBox, memory);
+  GlyphMorph morph(font, 24_px, kFilterMotion, kBox, memory);
   constexpr int32_t kSteps = 16;
   for (uint16_t from = 2; from < 5; ++from) {
     for (uint16_t to = 2; to < 5; ++to) {
@@ -154,10 +145,8 @@ TEST(areas_go_evenly_and_nothing_pops) {
         const int32_t even = first + (last - first) * i / kSteps;
         CHECK(magnitude(picture.ink() - even) <= most * 5 / 100);
         int32_t change = 0;
-        for (int32_t y = 0; y < kHeight; ++y) {
-          for (int32_t x = 0; x < kWidth; ++x) {
-            change += magnitude(picture.at(x, y) - second.at(x, y));
-          }
+        for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+          change += magnitude(picture.at(x, y) - second.at(x, y));
         }
         second = picture;
         sum += change;
@@ -170,7 +159,6 @@ TEST(areas_go_evenly_and_nothing_pops) {
 }
 
 TEST(morphs_do_not_depend_on_strips) {
-  const Font& font = sample_font();
   for (int32_t scale = 0; scale <= 2; ++scale) {
     MorphBox box = kBox;
     box.scale_log2 = scale;
@@ -178,8 +166,7 @@ TEST(morphs_do_not_depend_on_strips) {
     CHECK_OK(morph.set(1, 4));
     morph.step(Q16_16::from_raw(kOne * 2 / 5), scratch);
     draw_whole(morph, picture);
-    const int32_t kHeights[] = {1, 3, 8};
-    for (const int32_t rows : kHeights) {
+    for (const int32_t rows : each_of({1, 3, 8})) {
       second.clear();
       second.draw_parts(rows, 29,
                         [&](const Sink& sink) { morph.draw(0, 0, sink); });
@@ -189,7 +176,6 @@ TEST(morphs_do_not_depend_on_strips) {
 }
 
 TEST(morphs_do_not_depend_on_what_was_before) {
-  const Font& font = sample_font();
   GlyphMorph morph(font, kSize, kFilterMotion, kBox, memory);
   CHECK_OK(morph.set(1, 2));
   CHECK_OK(morph.set(2, 3));  // 2 is known
@@ -209,13 +195,12 @@ TEST(morphs_do_not_depend_on_what_was_before) {
 
 // Beside the glyph that the core draws with as much weight.
 TEST(offsets_move_edges) {
-  const Font& font = sample_font();
   DistanceGrid grid(memory, kWidth, kHeight, 0);
   grid.clear();
-  const Point origin = {Q26_6::from_int(12), Q26_6::from_int(44)};
+  const Point origin = {12, 44};
   CHECK_OK(grid.paint(font, kDiscGlyph, kSize, origin));
-  const int32_t kOffsets[] = {-96, 0, 80, 128};  // [px, Q6]
-  for (const int32_t offset : kOffsets) {
+  // [px, Q6]
+  for (const int32_t offset : each_of({-96, 0, 80, 128})) {
     picture.clear();
     draw_offset(grid, Q26_6::from_raw(offset), 0, 0, kFilterText,
                 picture.sink());
@@ -233,8 +218,8 @@ namespace {
 // With any filter, at any place.
 void draw_any(const DistanceGrid& grid, const GridLook& look, Random& random) {
   FilterSpec spec;
-  spec.outside_px.raw = static_cast<int16_t>(random.next());
-  spec.inside_px.raw = static_cast<int16_t>(random.next());
+  spec.outside_px.raw = random.any();
+  spec.inside_px.raw = random.any();
   const Filter filter = make_filter(spec);
   picture.clear();
   draw_grid(grid, look, random.between(-20, 60), random.between(-20, 60),
@@ -244,21 +229,18 @@ void draw_any(const DistanceGrid& grid, const GridLook& look, Random& random) {
 }  // namespace
 
 TEST(hostile_morphs_do_no_harm) {
-  const Font& font = sample_font();
   GlyphMorph empty(font, kSize, kFilterMotion, kBox, {memory, 5});
   CHECK_EQ(empty.set(1, 2), Status::buffer_small);
   empty.step(Q16_16::from_int(1), scratch);
   draw_whole(empty, picture);
   CHECK_EQ(picture.ink(), 0);
-  GlyphMorph huge(font, Q26_6::from_int(5000), kFilterMotion, kBox, memory);
+  GlyphMorph huge(font, 5000_px, kFilterMotion, kBox, memory);
   CHECK_EQ(huge.set(1, 2), Status::bad_argument);
   draw_whole(huge, picture);
   CHECK_EQ(picture.ink(), 0);
 
   Random random(21);
-  for (int8_t& sample : memory) {
-    sample = random.byte();
-  }
+  random.fill(memory);
   for (int round = 0; round < 60; ++round) {
     const auto scale = static_cast<int32_t>(random.below(4));
     const auto side = static_cast<int32_t>(1 + random.below(12));
@@ -270,13 +252,13 @@ TEST(hostile_morphs_do_no_harm) {
     how.part_q8 = random.between(-400, 700);
     how.depth_a = random.between(-200, 300);
     how.depth_b = random.between(-200, 300);
-    how.area_a = static_cast<int32_t>(random.next());
-    how.area_b = static_cast<int32_t>(random.next());
+    how.area_a = random.any();
+    how.area_b = random.any();
     GridLook look;
     look.cutoff = blend(a, b, how, between, scratch);
     draw_any(between, look, random);
-    look.cutoff.raw = static_cast<int32_t>(random.next());
-    look.slope_q8 = static_cast<int32_t>(random.next());
+    look.cutoff.raw = random.any();
+    look.slope_q8 = random.any();
     draw_any(a, look, random);
   }
 }

@@ -6,6 +6,7 @@
 #include "inkcell/painter.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "rounds.hpp"
 
 namespace {
@@ -17,7 +18,7 @@ using namespace outline_record;
 constexpr int32_t kSide = 56;
 constexpr Point kOrigin = {4, 50};
 // A u is a 16th of a px: what lies half-way is exact.
-constexpr Q26_6 kSize = Q26_6::from_int(64);
+constexpr Q26_6 kSize = 64_px;
 constexpr Q16_16 kHalf = Q16_16::from_raw(1 << 15);
 
 // Glyph 3 lies between 1 and 2, 6 between 4 and 5, 9 between 7 and 8.
@@ -356,7 +357,7 @@ void draw_pulse(const WeightPulse& line, size_t ram_bytes, int32_t rows) {
 
 TEST(weight_runs_along_a_line) {
   const Font font = font_with(6, 5);
-  const Style style(Q26_6::from_int(24), kFilterMotion);
+  const Style style(24_px, kFilterMotion);
   PulseMotion motion;
   motion.swell_ms = 400;
   motion.timing = {0, 1000, 0};
@@ -369,12 +370,8 @@ TEST(weight_runs_along_a_line) {
   for (int32_t now = 0; now <= 2000; now += 50) {
     const Rect changed = line.at(now);
     draw_pulse(line, sizeof ram, kSide);
-    for (int32_t y = 0; y < kSide; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        CHECK(picture.at(x, y) == last.at(x, y) ||
-              (x >= changed.x0 && x < changed.x1 && y >= changed.y0 &&
-               y < changed.y1));
-      }
+    for (const auto [x, y] : pixels_of(kSide, kSide)) {
+      CHECK(picture.at(x, y) == last.at(x, y) || holds(changed, x, y));
     }
     last = expected = picture;
     still += is_empty(changed) ? 1 : 0;
@@ -462,8 +459,7 @@ TEST(morphs_of_any_bytes) {
   CHECK_EQ(section.size, kMorphBytes);
   uint8_t* const bytes = font_bytes + (section.data - font_bytes);
   int32_t drawn = 0;
-  for (Rounds rounds(77, 300); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(77, 300)) {
     static_cast<void>(write_morphs(morphs));
     // Records alone, or all of the section.
     const size_t from = random.below(4) == 0 ? 0 : kTableEnd;

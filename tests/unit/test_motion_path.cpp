@@ -9,13 +9,10 @@ namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kOne = 1 << 16;
-
-Point px(int32_t x, int32_t y) {
-  return {Q26_6::from_int(x), Q26_6::from_int(y)};
-}
 
 // Within 1/1000 px.
 bool is_near(Q16_16 at, int32_t expected) {
@@ -25,7 +22,7 @@ bool is_near(Q16_16 at, int32_t expected) {
 
 RunPlace place_at(int32_t x, int32_t y, int32_t size) {
   RunPlace where;
-  where.origin = px(x, y);
+  where.origin = {x, y};
   where.size = Q26_6::from_int(size);
   return where;
 }
@@ -38,10 +35,10 @@ PosedGlyph later[16];
 TEST(paths_are_as_long_as_they_look) {
   PathPoint points[80];
   Path path(points);
-  CHECK_EQ(path.line_to(px(1, 1)), Status::bad_argument);
-  CHECK_OK(path.move_to(px(10, 10)));
-  CHECK_EQ(path.move_to(px(10, 10)), Status::bad_argument);
-  CHECK_OK(path.line_to(px(40, 50)));
+  CHECK_EQ(path.line_to({1, 1}), Status::bad_argument);
+  CHECK_OK(path.move_to({10, 10}));
+  CHECK_EQ(path.move_to({10, 10}), Status::bad_argument);
+  CHECK_OK(path.line_to({40, 50}));
   CHECK_EQ(path.length().raw, 50 * kOne);
   const PathPoint fifth = path.at(Q16_16::from_int(10));
   CHECK(is_near(fifth.x, 16));
@@ -51,34 +48,33 @@ TEST(paths_are_as_long_as_they_look) {
   CHECK_EQ(path.at(Q16_16::from_int(60)).y.raw, 58 * kOne);
 
   path.clear();
-  CHECK_OK(path.move_to(px(100, 50)));
-  CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_int(1), 64));
+  CHECK_OK(path.move_to({100, 50}));
+  CHECK_OK(path.arc_to({50, 50}, Q16_16::from_int(1), 64));
   // 2 pi 50 = 314.16, less what chords cut off.
   CHECK(path.length().raw > 314 * kOne &&
         path.length().raw < 31416 * 656 - 20000);
   const PathPoint quarter = path.at(Q16_16::from_raw(path.length().raw / 4));
   CHECK(is_near(quarter.x, 50));
   CHECK(is_near(quarter.y, 0));
-  CHECK_EQ(path.arc_to(px(0, 0), {}, 16), Status::buffer_small);
-  CHECK_EQ(path.arc_to(px(0, 0), {}, 0), Status::bad_argument);
+  CHECK_EQ(path.arc_to({0, 0}, {}, 16), Status::buffer_small);
+  CHECK_EQ(path.arc_to({0, 0}, {}, 0), Status::bad_argument);
 
   path.clear();
-  CHECK_OK(path.move_to(px(0, 0)));
-  CHECK_OK(path.cubic_to(px(20, 0), px(40, 0), px(60, 0), 20));
+  CHECK_OK(path.move_to({0, 0}));
+  CHECK_OK(path.cubic_to({20, 0}, {40, 0}, {60, 0}, 20));
   CHECK_EQ(path.length().raw, 60 * kOne);
   CHECK(is_near(path.at(Q16_16::from_int(31)).x, 31));
 }
 
 TEST(glyphs_stand_on_their_path) {
-  const Font& font = sample_font();
   Run run;
   CHECK_OK(lay_out(font, "ABC", Anchor::centre, run_glyphs, run));
   PathPoint points[65];
   Path path(points);
-  CHECK_OK(path.move_to(px(0, 30)));
-  CHECK_OK(path.line_to(px(90, 30)));
+  CHECK_OK(path.move_to({0, 30}));
+  CHECK_OK(path.line_to({90, 30}));
   PathPlace on_path;
-  on_path.size = Q26_6::from_int(16);
+  on_path.size = 16_px;
   on_path.start = Q16_16::from_int(45);
   const RunPlace on_line = place_at(45, 30, 16);
   for (size_t i = 0; i < 3; ++i) {
@@ -100,8 +96,8 @@ TEST(glyphs_stand_on_their_path) {
   // A run that begins where a valley does shows its first glyph, whose middle
   // is nearer to the path's start than on a line.
   path.clear();
-  CHECK_OK(path.move_to(px(0, 50)));
-  CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_raw(kOne / 2), 64));
+  CHECK_OK(path.move_to({0, 50}));
+  CHECK_OK(path.arc_to({50, 50}, Q16_16::from_raw(kOne / 2), 64));
   on_path.overflow = PathOverflow::hide;
   on_path.start = Q16_16();
   Run from_start;
@@ -112,8 +108,8 @@ TEST(glyphs_stand_on_their_path) {
 
   // On top of a circle that runs clockwise, glyphs lean as it does.
   path.clear();
-  CHECK_OK(path.move_to(px(0, 50)));
-  CHECK_OK(path.arc_to(px(50, 50), Q16_16::from_raw(-kOne / 2), 64));
+  CHECK_OK(path.move_to({0, 50}));
+  CHECK_OK(path.arc_to({50, 50}, Q16_16::from_raw(-kOne / 2), 64));
   on_path.start = Q16_16::from_raw(path.length().raw / 2);
   CHECK_OK(lay_out(font, "ABC", Anchor::centre, run_glyphs, run));
   for (size_t i = 0; i < 3; ++i) {
@@ -127,15 +123,14 @@ TEST(glyphs_stand_on_their_path) {
 }
 
 TEST(glyphs_that_slide_turn_without_a_jerk) {
-  const Font& font = sample_font();
   Run run;
   CHECK_OK(lay_out(font, "A", Anchor::centre, run_glyphs, run));
   PathPoint points[33];
   Path path(points);
-  CHECK_OK(path.move_to(px(0, 40)));
-  CHECK_OK(path.cubic_to(px(30, -20), px(60, 100), px(90, 0), 32));
+  CHECK_OK(path.move_to({0, 40}));
+  CHECK_OK(path.cubic_to({30, -20}, {60, 100}, {90, 0}, 32));
   PathPlace where;
-  where.size = Q26_6::from_int(16);
+  where.size = 16_px;
   const int32_t length = path.length().raw;
   int32_t last = 0;
   for (int32_t at = 8 * kOne; at < length - 8 * kOne; at += kOne / 4) {
@@ -151,21 +146,18 @@ TEST(glyphs_that_slide_turn_without_a_jerk) {
 }
 
 TEST(letters_keep_their_distance_on_bends) {
-  const Font& font = sample_font();
   Run run;
   CHECK_OK(lay_out(font, "AAAAA", Anchor::centre, run_glyphs, run));
-  const Q26_6 size = Q26_6::from_int(16);
+  const Q26_6 size = 16_px;
   const int32_t apart =
       to_px_q16(font, size, run.glyphs[1].x - run.glyphs[0].x).raw >> 10;
   // In a valley, on a crest, and around a circle.
-  constexpr int32_t kQuarters[] = {2, -2, 4};
-  for (const int32_t quarters : kQuarters) {
+  for (const int32_t quarters : each_of({2, -2, 4})) {
     PathPoint points[65];
     Path path(points);
     const int32_t sign = quarters < 0 ? -1 : 1;
-    CHECK_OK(path.move_to(px(64 - 40 * 7 / 10, 64 + sign * 40 * 7 / 10)));
-    CHECK_OK(
-        path.arc_to(px(64, 64), Q16_16::from_raw(quarters * kOne / 4), 64));
+    CHECK_OK(path.move_to({64 - 40 * 7 / 10, 64 + sign * 40 * 7 / 10}));
+    CHECK_OK(path.arc_to({64, 64}, Q16_16::from_raw(quarters * kOne / 4), 64));
     PathPlace where;
     where.size = size;
     where.start.raw = path.length().raw / 2;

@@ -7,6 +7,7 @@
 #include "inkcell/painter.hpp"
 #include "outline_font.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 
 using namespace inkcell;
 using namespace inkcell::motion;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kWidth = 96;
 constexpr int32_t kHeight = 48;
@@ -32,14 +34,10 @@ void draw_whole(PoseRenderer& renderer,
   renderer.draw(glyphs, out.sink());
 }
 
-Point px(int32_t x, int32_t y) {
-  return {Q26_6::from_int(x), Q26_6::from_int(y)};
-}
-
 // Within 1/1000 px.
 RunPlace place_at(int32_t x, int32_t y, int32_t size) {
   RunPlace where;
-  where.origin = px(x, y);
+  where.origin = {x, y};
   where.size = Q26_6::from_int(size);
   return where;
 }
@@ -48,12 +46,12 @@ Pose any_pose(Random& random) {
   Pose pose;
   pose.offset.x.raw = random.between(-40 * 64, 40 * 64);
   pose.offset.y.raw = random.between(-20 * 64, 20 * 64);
-  pose.angle.raw = static_cast<uint16_t>(random.next());
+  pose.angle.raw = random.any();
   pose.scale_x.raw = static_cast<int16_t>(random.between(-8192, 8192));
   pose.scale_y.raw = static_cast<int16_t>(random.between(-8192, 8192));
   pose.slant.raw = static_cast<int16_t>(random.between(-8192, 8192));
   pose.weight.raw = static_cast<int16_t>(random.between(-1024, 1024));
-  pose.opacity = static_cast<uint8_t>(random.next());
+  pose.opacity = random.any();
   return pose;
 }
 
@@ -64,7 +62,6 @@ PosedGlyph later[16];
 }  // namespace
 
 TEST(layout_counts_words_and_lines) {
-  const Font& font = sample_font();
   Run run;
   // G has no ink, and a space that the font lacks shows nothing.
   CHECK_OK(lay_out(font, "ABG GCD\n\nE", Anchor::left, run_glyphs, run));
@@ -90,7 +87,6 @@ TEST(layout_counts_words_and_lines) {
 }
 
 TEST(lines_are_aligned_and_tracked_about_their_anchor) {
-  const Font& font = sample_font();
   Run run;
   CHECK_OK(lay_out(font, "ABA", Anchor::centre, run_glyphs, run));
   CHECK_EQ(run.glyphs[0].x, -(768 + 600 + 768) / 2);
@@ -102,15 +98,13 @@ TEST(lines_are_aligned_and_tracked_about_their_anchor) {
   CHECK_EQ(run.glyphs[2].half_gaps, 0);
   RunPlace where = place_at(90, 30, 16);
   const PosedGlyph tight = place(font, run, 0, where, {});
-  where.tracking = Q26_6::from_int(3);
+  where.tracking = 3_px;
   const PosedGlyph wide = place(font, run, 0, where, {});
   CHECK_EQ(wide.at.x.raw, tight.at.x.raw - 6 * 64);
 }
 
 TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
-  const Font& font = sample_font();
-  const int32_t kSize_q6s[] = {1024, 1555, 2304};
-  for (const int32_t size_q6 : kSize_q6s) {
+  for (const int32_t size_q6 : each_of({1024, 1555, 2304})) {
     for (uint16_t glyph = 1; glyph < 7; ++glyph) {
       PoseRenderer renderer(font, Q26_6::from_raw(size_q6));
       PosedGlyph plain;
@@ -133,8 +127,8 @@ TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
 
 TEST(pivots_of_any_size_and_height_fit) {
   constexpr int16_t kHighest = 32767;
-  CHECK_EQ(pivot_height_px(Q26_6::from_int(32), 250).raw, 8 << 16);
-  CHECK_EQ(pivot_height_px(Q26_6::from_int(32), -250).raw, -(8 << 16));
+  CHECK_EQ(pivot_height_px(32_px, 250).raw, 8 << 16);
+  CHECK_EQ(pivot_height_px(32_px, -250).raw, -(8 << 16));
   CHECK_EQ(pivot_height_px(kMaxSize, kHighest).raw, 32767 << 16);
   CHECK_EQ(pivot_height_px(kMaxSize, -kHighest - 1).raw, -(32767 << 16));
   CHECK_EQ(pivot_height_px(Q26_6::from_raw(INT32_MAX), kHighest).raw,
@@ -144,11 +138,10 @@ TEST(pivots_of_any_size_and_height_fit) {
 
 TEST(glyphs_turn_about_their_pivot) {
   // The disc about (384, 384) u of 32 px/em: 12 px, 12 px.
-  const Font& font = sample_font();
-  PoseRenderer renderer(font, Q26_6::from_int(32));
+  PoseRenderer renderer(font, 32_px);
   PosedGlyph disc;
   disc.glyph = 1;
-  disc.at = px(40, 24);
+  disc.at = {40, 24};
   disc.pivot_x = disc.pivot_y = Q16_16::from_int(12);
   draw_whole(renderer, {&disc, 1}, picture);
   const int32_t plain = picture.ink();
@@ -170,11 +163,10 @@ TEST(glyphs_turn_about_their_pivot) {
 }
 
 TEST(opacity_and_weight_change_the_ink) {
-  const Font& font = sample_font();
-  PoseRenderer renderer(font, Q26_6::from_int(32));
+  PoseRenderer renderer(font, 32_px);
   PosedGlyph disc;
   disc.glyph = 1;
-  disc.at = px(20, 40);
+  disc.at = {20, 40};
   draw_whole(renderer, {&disc, 1}, picture);
   const int32_t plain = picture.ink();
   disc.pose.opacity = 128;
@@ -191,11 +183,10 @@ TEST(opacity_and_weight_change_the_ink) {
 }
 
 TEST(flips_never_blink) {
-  const Font& font = sample_font();
-  PoseRenderer renderer(font, Q26_6::from_int(32));
+  PoseRenderer renderer(font, 32_px);
   PosedGlyph bar;
   bar.glyph = 2;
-  bar.at = px(40, 40);
+  bar.at = {40, 40};
   for (int32_t scale = -4096; scale <= 4096; scale += 64) {
     bar.pose.scale_x.raw = static_cast<int16_t>(scale);
     draw_whole(renderer, {&bar, 1}, picture);
@@ -204,20 +195,17 @@ TEST(flips_never_blink) {
 }
 
 TEST(strips_make_no_difference) {
-  const Font& font = sample_font();
-  for (Rounds rounds(11, 12); rounds.next();) {
-    Random& random = rounds.random;
-    PoseRenderer renderer(font, Q26_6::from_int(20));
+  for (Random& random : Rounds(11, 12)) {
+    PoseRenderer renderer(font, 20_px);
     for (uint16_t i = 0; i < 5; ++i) {
       posed[i] = {};
       posed[i].glyph = static_cast<uint16_t>(1 + random.below(6));
-      posed[i].at = px(random.between(0, kWidth), random.between(0, kHeight));
+      posed[i].at = {random.between(0, kWidth), random.between(0, kHeight)};
       posed[i].pivot_x = posed[i].pivot_y = Q16_16::from_int(8);
       posed[i].pose = any_pose(random);
     }
     draw_whole(renderer, {posed, 5}, picture);
-    const int32_t kRowss[] = {1, 5, 16};
-    for (const int32_t rows : kRowss) {
+    for (const int32_t rows : each_of({1, 5, 16})) {
       second.clear();
       second.draw_strips(rows, [&](const Sink& sink) {
         renderer.draw({posed, 5}, sink);
@@ -228,14 +216,12 @@ TEST(strips_make_no_difference) {
 }
 
 TEST(boxes_hold_what_is_drawn) {
-  const Font& font = sample_font();
   int32_t seen = 0;
-  for (Rounds rounds(12, 60); rounds.next();) {
-    Random& random = rounds.random;
-    PoseRenderer renderer(font, Q26_6::from_int(20));
+  for (Random& random : Rounds(12, 60)) {
+    PoseRenderer renderer(font, 20_px);
     posed[0] = {};
     posed[0].glyph = static_cast<uint16_t>(1 + random.below(6));
-    posed[0].at = px(random.between(0, kWidth), random.between(0, kHeight));
+    posed[0].at = {random.between(0, kWidth), random.between(0, kHeight)};
     posed[0].pose = any_pose(random);
     draw_whole(renderer, {posed, 1}, picture);
     seen += picture.ink() > 0 ? 1 : 0;
@@ -245,18 +231,16 @@ TEST(boxes_hold_what_is_drawn) {
 }
 
 TEST(changes_are_all_in_dirty_rectangles) {
-  const Font& font = sample_font();
-  for (Rounds rounds(13, 30); rounds.next();) {
-    Random& random = rounds.random;
-    PoseRenderer renderer(font, Q26_6::from_int(16));
+  for (Random& random : Rounds(13, 30)) {
+    PoseRenderer renderer(font, 16_px);
     for (uint16_t i = 0; i < 6; ++i) {
       posed[i] = {};
       posed[i].glyph = static_cast<uint16_t>(1 + i);
-      posed[i].at = px(random.between(0, kWidth), random.between(8, kHeight));
+      posed[i].at = {random.between(0, kWidth), random.between(8, kHeight)};
       later[i] = posed[i];
       if (random.below(3) == 0) {
         later[i].pose.offset.x.raw += random.between(-300, 300);
-        later[i].pose.opacity = static_cast<uint8_t>(random.next());
+        later[i].pose.opacity = random.any();
       }
     }
     const size_t count = 5 + random.below(2);
@@ -265,19 +249,17 @@ TEST(changes_are_all_in_dirty_rectangles) {
     Rect room[3];
     DirtyRects dirty(room);
     renderer.add_changes({posed, 6}, {later, count}, kScreen, dirty);
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        int32_t holders = 0;
-        for (const Rect& r : dirty.rects()) {
-          holders += x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1 ? 1 : 0;
-        }
-        CHECK(holders <= 1);
-        CHECK(holders == 1 || picture.at(x, y) == second.at(x, y));
+    for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+      int32_t holders = 0;
+      for (const Rect& r : dirty.rects()) {
+        holders += holds(r, x, y) ? 1 : 0;
       }
+      CHECK(holders <= 1);
+      CHECK(holders == 1 || picture.at(x, y) == second.at(x, y));
     }
   }
   // Nothing moves, nothing is drawn.
-  PoseRenderer renderer(font, Q26_6::from_int(16));
+  PoseRenderer renderer(font, 16_px);
   Rect room[1];
   DirtyRects dirty(room);
   renderer.add_changes({posed, 6}, {posed, 6}, kScreen, dirty);
@@ -289,7 +271,7 @@ TEST(poses_mix_the_shorter_way) {
   Pose b;
   a.angle = from_degrees(350);
   b.angle = from_degrees(10);
-  b.offset.x = Q26_6::from_int(10);
+  b.offset.x = 10_px;
   b.scale_x.raw = 8192;
   b.opacity = 5;
   const Pose middle = mix(a, b, Q16_16::from_raw(kOne / 2));
@@ -309,7 +291,7 @@ TEST(pose_keys_tell_when_they_change) {
   PoseKey keys[3];
   keys[0] = {100, {}, kEaseIn};
   keys[1] = {200, {}, kEaseIn};
-  keys[1].pose.offset.y = Q26_6::from_int(9);
+  keys[1].pose.offset.y = 9_px;
   keys[2] = keys[1];
   keys[2].at_ms = 300;
   for (int32_t time = 0; time < 400; ++time) {
@@ -322,7 +304,6 @@ TEST(pose_keys_tell_when_they_change) {
 }
 
 TEST(lines_that_were_shaped_are_runs) {
-  const Font& font = sample_font();
   const uint16_t a = font.glyph_or_notdef('A');
   // A letter, a mark above it, a glyph that the font lacks, and a letter.
   const ShapedGlyph shaped[] = {
@@ -346,44 +327,44 @@ TEST(lines_that_were_shaped_are_runs) {
 }
 
 TEST(hostile_poses_and_paths_do_no_harm) {
-  const Font& font = sample_font();
-  for (Rounds rounds(14, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const auto raw = [&] { return static_cast<int32_t>(random.next()); };
+  for (Random& random : Rounds(14, 300)) {
     PoseRenderer renderer(font, Q26_6::from_raw(random.between(-99, 70000)));
     PosedGlyph glyph;
     glyph.glyph = static_cast<uint16_t>(random.below(9));
-    glyph.at = {Q26_6::from_raw(raw()), Q26_6::from_raw(raw())};
-    glyph.pivot_x.raw = raw();
-    glyph.pivot_y.raw = raw();
-    glyph.pose.offset = {Q26_6::from_raw(raw()), Q26_6::from_raw(raw())};
-    glyph.pose.angle.raw = static_cast<uint16_t>(raw());
-    glyph.pose.scale_x.raw = static_cast<int16_t>(raw());
-    glyph.pose.scale_y.raw = static_cast<int16_t>(raw());
-    glyph.pose.slant.raw = static_cast<int16_t>(raw());
-    glyph.pose.weight.raw = static_cast<int16_t>(raw());
+    glyph.at = {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())};
+    glyph.pivot_x.raw = random.any();
+    glyph.pivot_y.raw = random.any();
+    glyph.pose.offset = {Q26_6::from_raw(random.any()),
+                         Q26_6::from_raw(random.any())};
+    glyph.pose.angle.raw = random.any();
+    glyph.pose.scale_x.raw = random.any();
+    glyph.pose.scale_y.raw = random.any();
+    glyph.pose.slant.raw = random.any();
+    glyph.pose.weight.raw = random.any();
     draw_whole(renderer, {&glyph, 1}, picture);
-    static_cast<void>(mix(glyph.pose, {}, Q16_16::from_raw(raw())));
+    static_cast<void>(mix(glyph.pose, {}, Q16_16::from_raw(random.any())));
 
     PathPoint points[24];
     Path path(points);
-    CHECK_OK(path.move_to({Q26_6::from_raw(raw()), Q26_6::from_raw(raw())}));
-    CHECK_OK(path.line_to({Q26_6::from_raw(raw()), Q26_6::from_raw(raw())}));
-    CHECK_OK(path.cubic_to({Q26_6::from_raw(raw()), Q26_6::from_raw(raw())},
-                           {Q26_6::from_raw(raw()), Q26_6::from_raw(raw())},
-                           {Q26_6::from_raw(raw()), Q26_6::from_raw(raw())},
-                           10));
-    CHECK_OK(path.arc_to({Q26_6::from_raw(raw()), Q26_6::from_raw(raw())},
-                         Q16_16::from_raw(random.between(-4 * kOne, 4 * kOne)),
-                         12));
-    static_cast<void>(path.at(Q16_16::from_raw(raw())));
+    CHECK_OK(path.move_to(
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())}));
+    CHECK_OK(path.line_to(
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())}));
+    CHECK_OK(path.cubic_to(
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())},
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())},
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())}, 10));
+    CHECK_OK(path.arc_to(
+        {Q26_6::from_raw(random.any()), Q26_6::from_raw(random.any())},
+        Q16_16::from_raw(random.between(-4 * kOne, 4 * kOne)), 12));
+    static_cast<void>(path.at(Q16_16::from_raw(random.any())));
     Run run;
     CHECK_OK(lay_out(font, "A", Anchor::centre, run_glyphs, run));
     PathPlace where;
-    where.start.raw = raw();
-    where.size.raw = raw();
-    where.tracking.raw = raw();
-    where.lift.raw = raw();
+    where.start.raw = random.any();
+    where.size.raw = random.any();
+    where.tracking.raw = random.any();
+    where.lift.raw = random.any();
     where.overflow = static_cast<PathOverflow>(random.below(3));
     static_cast<void>(place(font, run, 0, path, where, {}));
   }

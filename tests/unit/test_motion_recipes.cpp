@@ -6,6 +6,7 @@
 #include "inkcell/motion/recipes.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -300,10 +301,8 @@ TEST(clocks_show_seconds) {
   minutes.at(12 * 60 + 13, 12 * 60 + 13, 0);
   draw(minutes, expected);
   const int32_t end = minutes.box().x1 - 2;
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = 0; x < end; ++x) {
-      CHECK_EQ(whole.at(x, y), expected.at(x, y));
-    }
+  for (const auto [x, y] : pixels_of(end, kHeight)) {
+    CHECK_EQ(whole.at(x, y), expected.at(x, y));
   }
   const uint16_t colon = font.glyph_or_notdef(':');
   const int32_t from_q6 = 2 * 64 + 2 * to_px(font, small, 768).raw +
@@ -312,10 +311,8 @@ TEST(clocks_show_seconds) {
   Clock last(font, small, {Q26_6::from_raw(from_q6), 30_px});
   last.at(13 * 60 + 14, 13 * 60 + 14, 0);
   draw(last, expected);
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = from; x < kWidth; ++x) {
-      CHECK_EQ(whole.at(x, y), expected.at(x, y));
-    }
+  for (const auto [x, y] : pixels_of({from, 0, kWidth, kHeight})) {
+    CHECK_EQ(whole.at(x, y), expected.at(x, y));
   }
   // Any second and any time.
   CHECK(is_empty(clock.at(later + 86400, later, 0)));

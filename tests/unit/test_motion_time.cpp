@@ -129,18 +129,17 @@ TEST(random_numbers_fill_their_range) {
 }
 
 TEST(easings_are_those_of_css) {
-  struct Case {
+  const struct {
     Easing easing;
     int32_t values[7];  // at eighths [Q16]
-  };
-  const Case kCases[] = {
+  } kCases[] = {
       {kEase, {8971, 26772, 42292, 52586, 59072, 62945, 64944}},
       {kEaseIn, {1703, 6125, 12584, 20667, 30112, 40754, 52522}},
       {kEaseOut, {13014, 24782, 35424, 44869, 52952, 59411, 63833}},
       {kEaseInOut, {2039, 8465, 19187, 32768, 46349, 57071, 63497}},
       {kOvershoot, {31995, 53496, 65948, 71264, 71663, 69445, 66779}},
       {kAnticipate, {-1243, -3909, -6127, -5728, -412, 12040, 33541}}};
-  for (const Case& c : kCases) {
+  for (const auto& c : kCases) {
     for (int32_t i = 0; i < 7; ++i) {
       CHECK(off(eased(c.easing, (i + 1) * kOne / 8), c.values[i]) <= 24);
     }
@@ -173,17 +172,15 @@ TEST(easings_have_no_jumps) {
 }
 
 TEST(any_easing_is_bounded) {
-  for (Rounds rounds(3, 20000); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(3, 20000)) {
     Easing easing;
     easing.kind = static_cast<Easing::Kind>(random.below(6));
-    easing.steps = static_cast<uint8_t>(random.next());
-    easing.x1_q14 = static_cast<int16_t>(random.next());
-    easing.y1_q14 = static_cast<int16_t>(random.next());
-    easing.x2_q14 = static_cast<int16_t>(random.next());
-    easing.y2_q14 = static_cast<int16_t>(random.next());
-    CHECK(off(eased(easing, static_cast<int32_t>(random.next())), 0) <=
-          4 * kOne);
+    easing.steps = random.any();
+    easing.x1_q14 = random.any();
+    easing.y1_q14 = random.any();
+    easing.x2_q14 = random.any();
+    easing.y2_q14 = random.any();
+    CHECK(off(eased(easing, random.any()), 0) <= 4 * kOne);
   }
 }
 
@@ -195,8 +192,7 @@ TEST(steps_jump_at_their_ends) {
 }
 
 TEST(a_bounce_touches_the_ground_three_times) {
-  const int32_t kElevenths[] = {4, 8, 10};
-  for (const int32_t eleventh : kElevenths) {
+  for (const int32_t eleventh : each_of({4, 8, 10})) {
     CHECK(off(eased(kBounce, kOne * eleventh / 11), kOne) <= 32);
   }
   CHECK(off(eased(kBounce, kOne * 6 / 11), kOne * 3 / 4) <= 8);
@@ -262,14 +258,13 @@ TEST(repeats_and_directions) {
 }
 
 TEST(any_timing_is_bounded) {
-  for (Rounds rounds(5, 5000); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(5, 5000)) {
     Timing timing;
-    timing.delay_ms = static_cast<int32_t>(random.next());
-    timing.duration_ms = static_cast<int32_t>(random.next());
-    timing.repeats = static_cast<uint16_t>(random.next());
+    timing.delay_ms = random.any();
+    timing.duration_ms = random.any();
+    timing.repeats = random.any();
     timing.playback = static_cast<Playback>(random.below(6));
-    const auto now = static_cast<int32_t>(random.next());
+    const int32_t now = random.any();
     const int32_t progress = progress_at(timing, now).raw;
     CHECK(progress >= 0 && progress <= kOne);
     CHECK(next_due(timing, now) >= now ||

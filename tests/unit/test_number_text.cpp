@@ -44,7 +44,7 @@ TEST(units_of_the_last_decimal_have_a_point) {
 }
 
 TEST(fixed_point_is_rounded) {
-  CHECK(reads(NumberText(Q26_6::from_int(21), 1), "21.0"));
+  CHECK(reads(NumberText(21_px, 1), "21.0"));
   CHECK(reads(NumberText(Q26_6::from_raw(21 * 64 + 32), 1), "21.5"));
   CHECK(reads(NumberText(Q26_6::from_raw(21 * 64 + 32)), "22"));
   CHECK(reads(NumberText(Q26_6::from_raw(-21 * 64 - 32)), "-22"));

@@ -62,12 +62,10 @@ constexpr Point at(int32_t x_q6, int32_t y_q6) {
 }
 
 Style text_style(int32_t px = 16) {
-  Style style(Q26_6::from_int(px), kFilterText);
-  return style;
+  return Style(Q26_6::from_int(px), kFilterText);
 }
 Style area_style(int32_t px = 16) {
-  Style style(Q26_6::from_int(px), kFilterArea);
-  return style;
+  return Style(Q26_6::from_int(px), kFilterArea);
 }
 constexpr Filter kWide =
     make_filter({Q6_10::from_raw(-3000), Q6_10::from_raw(2000)});
@@ -87,6 +85,21 @@ void draw(Picture<kWidth, kHeight>& picture,
           Point origin) {
   Painter(picture.sink()).glyph(open(), style, origin, glyph);
 }
+
+// At 16 px, and mirrored.
+constexpr const char* kRingByArea =
+    "..::+++::...\n"
+    ".:*#####*:..\n"
+    ":*#######*:.\n"
+    "+####*####+.\n"
+    "*##*:::*##*.\n"
+    "*##+...+##*.\n"
+    "*##+...+##*.\n"
+    "*##*:::*##*.\n"
+    "+#########+.\n"
+    ":*#######*:.\n"
+    ".:*#####*:..\n"
+    "..::+++::...\n";
 
 // In the middle of the sheet below.
 constexpr Point kMiddle = at(5 * 64 + 21, 27 * 64 + 37);
@@ -168,39 +181,25 @@ TEST(a_ring_by_distance_and_area) {
                 "...:+++:....\n");
   Picture<12, 12> by_area;
   draw(by_area, ring, area_style(), at(0, 11 * 64 + 32));
-  CHECK_PICTURE(by_area,
-                "..::+++::...\n"
-                ".:*#####*:..\n"
-                ":*#######*:.\n"
-                "+####*####+.\n"
-                "*##*:::*##*.\n"
-                "*##+...+##*.\n"
-                "*##+...+##*.\n"
-                "*##*:::*##*.\n"
-                "+#########+.\n"
-                ":*#######*:.\n"
-                ".:*#####*:..\n"
-                "..::+++::...\n");
+  CHECK_PICTURE(by_area, kRingByArea);
 }
 
 TEST(a_wide_filter_reaches_far) {
   Picture<16, 16> soft;
   Style style(16_px, kWide);
   draw(soft, square, style, at(4 * 64, 12 * 64));
-  CHECK_PICTURE(soft,
-                "................\n"
-                "................\n"
-                "...:::::::::::..\n"
-                "...::+++++++::..\n"
-                "...:+++++++++:..\n"
-                "...:++*****++:..\n"
-                "...:++*###*++:..\n"
-                "...:++*###*++:..\n"
-                "...:++*###*++:..\n"
-                "...:++*****++:..\n"
-                "...:+++++++++:..\n"
-                "...::+++++++::..\n"
-                "...:::::::::::..\n");
+  CHECK_PICTURE_AT(soft, 3, 2,
+                   ":::::::::::\n"
+                   "::+++++++::\n"
+                   ":+++++++++:\n"
+                   ":++*****++:\n"
+                   ":++*###*++:\n"
+                   ":++*###*++:\n"
+                   ":++*###*++:\n"
+                   ":++*****++:\n"
+                   ":+++++++++:\n"
+                   "::+++++++::\n"
+                   ":::::::::::\n");
 }
 
 TEST(a_turned_square_and_a_mirrored_one) {
@@ -222,19 +221,7 @@ TEST(a_turned_square_and_a_mirrored_one) {
   Picture<12, 12> mirrored;
   style = Style({px(-16), px(0), px(0), px(16)}, kFilterArea);
   draw(mirrored, ring, style, at(11 * 64, 11 * 64 + 32));
-  CHECK_PICTURE(mirrored,
-                "..::+++::...\n"
-                ".:*#####*:..\n"
-                ":*#######*:.\n"
-                "+####*####+.\n"
-                "*##*:::*##*.\n"
-                "*##+...+##*.\n"
-                "*##+...+##*.\n"
-                "*##*:::*##*.\n"
-                "+#########+.\n"
-                ":*#######*:.\n"
-                ".:*#####*:..\n"
-                "..::+++::...\n");
+  CHECK_PICTURE(mirrored, kRingByArea);
 }
 
 TEST(windows_leave_the_picture) {

@@ -5,6 +5,7 @@
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -125,12 +126,10 @@ double area_of(int32_t x, int32_t y) {
 template <typename Coverage>
 int32_t worst_of(const Coverage& coverage) {
   int32_t worst = 0;
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      const double error = picture.at(x, y) - 255 * coverage(x, y);
-      const auto rounded_error = static_cast<int32_t>(magnitude(error) + 0.5);
-      worst = rounded_error > worst ? rounded_error : worst;
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    const double error = picture.at(x, y) - 255 * coverage(x, y);
+    const auto rounded_error = static_cast<int32_t>(magnitude(error) + 0.5);
+    worst = rounded_error > worst ? rounded_error : worst;
   }
   return worst;
 }
@@ -214,19 +213,18 @@ constexpr int32_t kStars = INKCELL_BOARD_FIRMWARE ? 3 : 400;
 
 TEST(areas_are_exact) {
   Worst worst = {"worst area: ", kWorstArea};
-  for (Rounds rounds(9, kStars); rounds.next();) {
-    make_star(rounds.random);
-    draw(kFilterArea, rounds.random);
+  for (Random& random : Rounds(9, kStars)) {
+    make_star(random);
+    draw(kFilterArea, random);
     worst.add(worst_of(area_of));
   }
 }
 
 TEST(distances_are_those_of_the_nearest_edge) {
   Worst worst = {"worst distance: ", kWorstDistance};
-  for (Rounds rounds(10, kStars); rounds.next();) {
-    make_star(rounds.random);
-    worst.add(
-        worst_distance({points, kCorners}, random_setting(rounds.random)));
+  for (Random& random : Rounds(10, kStars)) {
+    make_star(random);
+    worst.add(worst_distance({points, kCorners}, random_setting(random)));
   }
 }
 
@@ -234,8 +232,7 @@ TEST(distances_are_those_of_the_nearest_edge) {
 // by a ramp that is wider than a pixel.
 TEST(wide_ramps_are_true_at_acute_corners) {
   Worst worst = {"worst wide ramp: ", kWorstWide};
-  for (Rounds rounds(11, kStars); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(11, kStars)) {
     make_letter(random);
     const Setting at = setting_of(random.between(30 * 64, 64 * 64), random);
     draw_outline(letter, kFilterPaperBody, at);
@@ -251,11 +248,10 @@ TEST(wide_ramps_are_true_at_acute_corners) {
 
 TEST(rounded_corners_are_as_near_as_they_are) {
   Worst worst = {"worst of rounded corners: ", kWorstDistance};
-  for (Rounds rounds(11, kStars); rounds.next();) {
-    make_star(rounds.random);
-    round_corners(rounds.random);
-    worst.add(
-        worst_distance({rounded, 3 * kCorners}, random_setting(rounds.random)));
+  for (Random& random : Rounds(11, kStars)) {
+    make_star(random);
+    round_corners(random);
+    worst.add(worst_distance({rounded, 3 * kCorners}, random_setting(random)));
   }
 }
 

@@ -223,14 +223,12 @@ TEST(a_word_tells_the_table_of_the_next) {
   set_tables();
   BitWriter bits({record, sizeof(record)});
   bits.put(1, 1);
-  const uint32_t widths[] = {4, 5, 6, 6};
-  for (const uint32_t width : widths) {
+  for (const uint32_t width : each_of({4u, 5u, 6u, 6u})) {
     bits.put(1, 1);
     put_signed(bits, least(width), width);
   }
   bits.put(0, 2);
-  const int32_t portions[] = {96, 3, 1};
-  for (const int32_t portion : portions) {
+  for (const int32_t portion : each_of({96, 3, 1})) {
     OutlineCoding coding = coding_of(1);
     coding.last_table = 3;
     CHECK_EQ(read(bits, coding, portion), 5);
@@ -246,8 +244,7 @@ TEST(no_table_beyond_the_last_is_read) {
   set_tables();
   BitWriter bits({record, sizeof(record)});
   bits.put(1, 1);
-  const uint32_t widths[] = {4, 5, 5};
-  for (const uint32_t width : widths) {
+  for (const uint32_t width : each_of({4u, 5u, 5u})) {
     bits.put(1, 1);
     put_signed(bits, least(width), width);
   }

@@ -19,9 +19,7 @@ bool open(Font& font) {
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture, const Font& font, uint16_t glyph) {
   Style style(16_px, kFilterText);
-  Painter(picture.sink())
-      .glyph(font, style, {Q26_6::from_int(0), Q26_6::from_int(kHeight - 1)},
-             glyph);
+  Painter(picture.sink()).glyph(font, style, {0, kHeight - 1}, glyph);
 }
 
 TEST(outlines_are_drawn) {
@@ -138,8 +136,7 @@ TEST(a_grid_may_be_finer_or_coarser) {
 TEST(distances_of_outlines_reach_everywhere) {
   Font font;
   CHECK(open(font));
-  CHECK_OK(check_reach(font.range(), Q26_6::from_int(4),
-                       glow_filter(Q6_10::from_int(4))));
+  CHECK_OK(check_reach(font.range(), 4_px, glow_filter(Q6_10::from_int(4))));
 }
 
 }  // namespace

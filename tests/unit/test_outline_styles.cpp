@@ -10,12 +10,14 @@
 #include "outline_font.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 
 namespace {
 
 using namespace inkcell;
 using outline_record::OutlinePoint;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kWidth = 32;
 constexpr int32_t kHeight = 28;
@@ -59,7 +61,7 @@ Style style_of(const Effect& effect) {
   return style;
 }
 
-void draw(const Font& font, uint16_t glyph, const Style& style, Canvas& out) {
+void draw(uint16_t glyph, const Style& style, Canvas& out) {
   out.clear();
   Painter(out.sink(kAll), {ram, sizeof(ram)})
       .glyph(font, style, kOrigin, glyph);
@@ -84,17 +86,15 @@ void check_truth(const Canvas& drawn,
   int32_t worst = 0;
   int32_t sum = 0;
   int32_t inked = 0;
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = 0; x < kWidth; ++x) {
-      double distance = truth.distance(x + 0.5, y + 0.5) * 1024;
-      distance = distance < -8000 ? -8000 : (distance > 8000 ? 8000 : distance);
-      const int32_t wanted = coverage(static_cast<int32_t>(distance));
-      const int32_t error =
-          wanted == kUnknown ? 0 : magnitude(drawn.at(x, y) - wanted);
-      worst = error > worst ? error : worst;
-      sum += error;
-      inked += wanted != 0 ? 1 : 0;
-    }
+  for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+    double distance = truth.distance(x + 0.5, y + 0.5) * 1024;
+    distance = distance < -8000 ? -8000 : (distance > 8000 ? 8000 : distance);
+    const int32_t wanted = coverage(static_cast<int32_t>(distance));
+    const int32_t error =
+        wanted == kUnknown ? 0 : magnitude(drawn.at(x, y) - wanted);
+    worst = error > worst ? error : worst;
+    sum += error;
+    inked += wanted != 0 ? 1 : 0;
   }
   CHECK(inked > 0);
   CHECK(worst <= bound.worst);
@@ -102,10 +102,9 @@ void check_truth(const Canvas& drawn,
 }
 
 void check_filter(const Filter& filter, const Bound& bound) {
-  const Font font = sample_font();
   const Style style = style_of(filter);
   for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-    draw(font, glyph, style, canvas);
+    draw(glyph, style, canvas);
     check_truth(canvas, glyph, bound,
                 [&filter](int32_t d) { return filter.coverage(d); });
   }
@@ -122,11 +121,10 @@ void check_same() {
 }
 
 // Whether a picture is the same in strips of any height, with any RAM.
-void check_strips(const Font& font, uint16_t glyph, const Style& style) {
-  draw(font, glyph, style, canvas);
-  constexpr int32_t kRows[] = {1, 3, 16};
+void check_strips(uint16_t glyph, const Style& style) {
+  draw(glyph, style, canvas);
   constexpr size_t kBytes[] = {0, 900, 2560};
-  for (const int32_t rows : kRows) {
+  for (const int32_t rows : each_of({1, 3, 16})) {
     for (const size_t bytes : kBytes) {
       other.clear();
       for (int32_t y = 0; y < kHeight; y += rows) {
@@ -146,11 +144,9 @@ void check_strips(const Font& font, uint16_t glyph, const Style& style) {
 using Small = Picture<26, 24>;
 void show(const Canvas& drawn, int32_t channel, Small& out) {
   const Sink sink = out.sink();
-  for (int32_t y = 0; y < 24; ++y) {
-    for (int32_t x = 0; x < 26; ++x) {
-      const int32_t index = Canvas::index(x + 2, y + 2) + channel;
-      sink.coverage(sink.context, x, y, &drawn.pixels[index], 1);
-    }
+  for (const auto [x, y] : pixels_of(26, 24)) {
+    const int32_t index = Canvas::index(x + 2, y + 2) + channel;
+    sink.coverage(sink.context, x, y, &drawn.pixels[index], 1);
   }
 }
 
@@ -164,12 +160,11 @@ TEST(weights_shadows_and_glows_are_those_of_true_distances) {
 }
 
 TEST(strokes_are_what_lies_between_two_filters) {
-  const Font font = sample_font();
   const Stroke* const strokes[] = {&kStroke, &kOuter};
   for (const Stroke* stroke : strokes) {
     const Style style = style_of(*stroke);
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-      draw(font, glyph, style, canvas);
+      draw(glyph, style, canvas);
       check_truth(canvas, glyph, {24, 2048}, [stroke](int32_t d) {
         const int32_t covered =
             stroke->outer.coverage(d) - stroke->inner.coverage(d);
@@ -178,39 +173,32 @@ TEST(strokes_are_what_lies_between_two_filters) {
     }
   }
   const Style style = style_of(kStroke);
-  draw(font, 5, style, canvas);
+  draw(5, style, canvas);
   Small leaf;
   show(canvas, 0, leaf);
-  CHECK_PICTURE(leaf,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "...............::.........\n"
-                "...........:+****.........\n"
-                ".........:+*+:::*.........\n"
-                "........:*+:...:*.........\n"
-                ".......:*:.....++.........\n"
-                "......:*:......*:.........\n"
-                "......++......:*..........\n"
-                ".....:*:......++..........\n"
-                ".....+*......:*:..........\n"
-                ".....++.....:*:...........\n"
-                ".....*:....+*+............\n"
-                ".....*::++**:.............\n"
-                ".....***++:...............\n");
+  CHECK_PICTURE_AT(leaf, 5, 6,
+                   "..........::\n"
+                   "......:+****\n"
+                   "....:+*+:::*\n"
+                   "...:*+:...:*\n"
+                   "..:*:.....++\n"
+                   ".:*:......*:\n"
+                   ".++......:*.\n"
+                   ":*:......++.\n"
+                   "+*......:*:.\n"
+                   "++.....:*:..\n"
+                   "*:....+*+...\n"
+                   "*::++**:....\n"
+                   "***++:......\n");
 }
 
 TEST(fills_lie_within_strokes) {
-  const Font font = sample_font();
   for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
     fill_canvas.clear();
     const Sink fill = fill_canvas.sink(kAll);
     const StrokeAndFill both(kOuter, &fill);
     const Style style = style_of(both);
-    draw(font, glyph, style, canvas);
+    draw(glyph, style, canvas);
     check_truth(fill_canvas, glyph, {20, 1024},
                 [](int32_t d) { return kOuter.inner.coverage(d); });
     check_truth(canvas, glyph, {24, 2048}, [](int32_t d) {
@@ -224,25 +212,21 @@ TEST(fills_lie_within_strokes) {
 }
 
 TEST(bilevel_text_is_what_lies_within_the_threshold) {
-  const Font font = sample_font();
-  constexpr int32_t kThresholds[] = {0, -300};
-  for (const int32_t threshold : kThresholds) {
+  for (const int32_t threshold : each_of({0, -300})) {
     const Bilevel bilevel(2, Q6_10::from_raw(static_cast<int16_t>(threshold)));
     const Style style = style_of(bilevel);
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       const outline_truth::Truth& truth = truth_of(glyph);
-      draw(font, glyph, style, canvas);
-      for (int32_t y = 0; y < kHeight; ++y) {
-        for (int32_t x = 0; x < kWidth; ++x) {
-          const double d = truth.distance(x + 0.5, y + 0.5) * 1024;
-          const uint8_t drawn = canvas.at(x, y);
-          CHECK(drawn == 0 || drawn == 255);
-          if (d > threshold + 40) {
-            CHECK_EQ(drawn, 255);
-          } else if (d < threshold - 40 && drawn != 0) {
-            // Only where a stroke passes by.
-            CHECK(d > -552);
-          }
+      draw(glyph, style, canvas);
+      for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+        const double d = truth.distance(x + 0.5, y + 0.5) * 1024;
+        const uint8_t drawn = canvas.at(x, y);
+        CHECK(drawn == 0 || drawn == 255);
+        if (d > threshold + 40) {
+          CHECK_EQ(drawn, 255);
+        } else if (d < threshold - 40 && drawn != 0) {
+          // Only where a stroke passes by.
+          CHECK(d > -552);
         }
       }
     }
@@ -250,62 +234,46 @@ TEST(bilevel_text_is_what_lies_within_the_threshold) {
 }
 
 TEST(thin_strokes_stay_connected) {
-  const Font font = sample_font();
   const Bilevel two;
   const Bilevel four(4);
   const Style style = style_of(two);
-  draw(font, 4, style, canvas);
+  draw(4, style, canvas);
   Small bilevel;
   show(canvas, 0, bilevel);
-  CHECK_PICTURE(bilevel,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..................#.......\n"
-                ".................#........\n"
-                ".................#........\n"
-                ".................#........\n"
-                "................#.........\n"
-                ".....#######....#.........\n"
-                ".....##....#....#.........\n"
-                ".....##....#...#..........\n"
-                ".....##....#...#..........\n"
-                ".....##....#..#...........\n"
-                ".....#######..#...........\n"
-                ".....#######..#...........\n"
-                ".............#............\n");
-  draw(font, 4, style_of(four), canvas);
+  CHECK_PICTURE_AT(bilevel, 5, 7,
+                   ".............#\n"
+                   "............#.\n"
+                   "............#.\n"
+                   "............#.\n"
+                   "...........#..\n"
+                   "#######....#..\n"
+                   "##....#....#..\n"
+                   "##....#...#...\n"
+                   "##....#...#...\n"
+                   "##....#..#....\n"
+                   "#######..#....\n"
+                   "#######..#....\n"
+                   "........#.....\n");
+  draw(4, style_of(four), canvas);
   Small greys;
   show(canvas, 0, greys);
-  CHECK_PICTURE(greys,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..................+.......\n"
-                ".................+........\n"
-                ".................+........\n"
-                ".................+........\n"
-                ".....::::::::...+.........\n"
-                ".....+######:...+.........\n"
-                ".....+#::::#:...+.........\n"
-                ".....+#...:#:..+..........\n"
-                ".....+#...:#:..+..........\n"
-                ".....+#::::#:.+...........\n"
-                ".....+######:.+...........\n"
-                ".....+++++++:.+...........\n"
-                ".............+............\n");
+  CHECK_PICTURE_AT(greys, 5, 7,
+                   ".............+\n"
+                   "............+.\n"
+                   "............+.\n"
+                   "............+.\n"
+                   "::::::::...+..\n"
+                   "+######:...+..\n"
+                   "+#::::#:...+..\n"
+                   "+#...:#:..+...\n"
+                   "+#...:#:..+...\n"
+                   "+#::::#:.+....\n"
+                   "+######:.+....\n"
+                   "+++++++:.+....\n"
+                   "........+.....\n");
 }
 
 TEST(sub_pixels_are_means_of_exact_thirds) {
-  const Font font = sample_font();
   constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
                                    SubPixels::rgb_vertical,
                                    SubPixels::bgr_vertical};
@@ -325,7 +293,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
     const Point origin = {Q26_6::from_raw(kX * (is_down ? 1 : 3)),
                           Q26_6::from_raw(kY * (is_down ? 3 : 1))};
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-      draw(font, glyph, style, canvas);
+      draw(glyph, style, canvas);
       static uint8_t exact[3 * kWidth * kHeight + 2 * kWidth];
       static Rect window;
       for (uint8_t& third : exact) {
@@ -347,17 +315,15 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
                          }};
       Painter(sink).glyph(font, thirds, origin, glyph);
       const int32_t step = is_down ? kWidth : 1;
-      for (int32_t y = 0; y < kHeight; ++y) {
-        for (int32_t x = 0; x < kWidth; ++x) {
-          const uint8_t* at =
-              exact + kWidth +
-              (is_down ? 3 * y * kWidth + x : y * window.x1 + 3 * x);
-          for (int32_t i = 0; i < 3; ++i, at += step) {
-            const int32_t mean = (at[-step] + at[0] + at[step]) / 3;
-            const int32_t drawn =
-                canvas.pixels[Canvas::index(x, y) + (is_red_first ? i : 2 - i)];
-            CHECK(magnitude(drawn - mean) <= 4);
-          }
+      for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+        const uint8_t* at =
+            exact + kWidth +
+            (is_down ? 3 * y * kWidth + x : y * window.x1 + 3 * x);
+        for (int32_t i = 0; i < 3; ++i, at += step) {
+          const int32_t mean = (at[-step] + at[0] + at[step]) / 3;
+          const int32_t drawn =
+              canvas.pixels[Canvas::index(x, y) + (is_red_first ? i : 2 - i)];
+          CHECK(magnitude(drawn - mean) <= 4);
         }
       }
     }
@@ -365,72 +331,52 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
 }
 
 TEST(sub_pixels_have_their_colours) {
-  const Font font = sample_font();
   const Lcd lcd;
   const Style style = style_of(lcd);
-  draw(font, 2, style, canvas);
+  draw(2, style, canvas);
   Small red;
   Small blue;
   show(canvas, 0, red);
   show(canvas, 2, blue);
-  CHECK_PICTURE(red,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "........++++:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........*###:.............\n"
-                "........++++:.............\n");
-  CHECK_PICTURE(blue,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                ".......+++++..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+###+..............\n"
-                ".......+++++..............\n");
+  CHECK_PICTURE_AT(red, 8, 8,
+                   "++++:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "*###:\n"
+                   "++++:\n");
+  CHECK_PICTURE_AT(blue, 7, 8,
+                   "+++++\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+###+\n"
+                   "+++++\n");
   // No colour: all channels are the mean.
   const Lcd grey(SubPixels::rgb, 0);
-  draw(font, 2, style_of(grey), other);
-  for (int32_t y = 0; y < kHeight; ++y) {
-    for (int32_t x = 0; x < kWidth; ++x) {
-      const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
-      const int32_t mean = (rgb[0] + rgb[1] + rgb[2]) / 3;
-      for (int32_t i = 0; i < 3; ++i) {
-        CHECK(magnitude(other.pixels[Canvas::index(x, y) + i] - mean) <= 1);
-      }
+  draw(2, style_of(grey), other);
+  for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+    const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
+    const int32_t mean = (rgb[0] + rgb[1] + rgb[2]) / 3;
+    for (int32_t i = 0; i < 3; ++i) {
+      CHECK(magnitude(other.pixels[Canvas::index(x, y) + i] - mean) <= 1);
     }
   }
 }
 
 TEST(strips_and_ram_change_no_style) {
-  const Font font = sample_font();
   const Bilevel two(2, Q6_10::from_raw(-100));
   const Bilevel four(4);
   const Lcd across;
@@ -439,16 +385,15 @@ TEST(strips_and_ram_change_no_style) {
   const Filter glow = glow_filter(Q6_10::from_int(4));
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   for (uint16_t glyph = 1; glyph <= 6; ++glyph) {
-    check_strips(font, glyph, style_of(glow));
-    check_strips(font, glyph, style_of(bold));
+    check_strips(glyph, style_of(glow));
+    check_strips(glyph, style_of(bold));
     for (const Effect* effect : effects) {
-      check_strips(font, glyph, style_of(*effect));
+      check_strips(glyph, style_of(*effect));
     }
   }
 }
 
 TEST(turned_and_leaning_glyphs_have_styles_too) {
-  const Font font = sample_font();
   const Lcd lcd;
   const Bilevel bilevel;
   const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
@@ -458,28 +403,21 @@ TEST(turned_and_leaning_glyphs_have_styles_too) {
   const Effect* const effects[] = {&kStroke, &lcd, &bilevel};
   for (const Effect* effect : effects) {
     style.set_effect(*effect);
-    check_strips(font, 3, style);
+    check_strips(3, style);
   }
   Small ell;
   show(canvas, 0, ell);
-  CHECK_PICTURE(ell,
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "..........................\n"
-                "....#.....................\n"
-                "....##....................\n"
-                "....##....................\n"
-                "....##....................\n"
-                "....##....................\n"
-                ".....#....................\n"
-                ".....#....................\n"
-                ".....##...................\n"
-                ".....##.....#.............\n"
-                ".....##..#####............\n"
-                "......#####...............\n"
-                "......##..................\n");
+  CHECK_PICTURE_AT(ell, 4, 7,
+                   "#.........\n"
+                   "##........\n"
+                   "##........\n"
+                   "##........\n"
+                   "##........\n"
+                   ".#........\n"
+                   ".#........\n"
+                   ".##.......\n"
+                   ".##.....#.\n"
+                   ".##..#####\n"
+                   "..#####...\n"
+                   "..##......\n");
 }

@@ -69,21 +69,20 @@ TEST(accepts_the_sample) {
 
 // Rule 16.
 TEST(finds_wrong_numbers_of_the_header) {
-  struct Case {
+  const struct {
     uint32_t at;
     int32_t value;
     bool is_ok;
-  };
-  const Case cases[] = {{header::kGridShift, -5, false},
-                        {header::kGridShift, -4, true},
-                        {header::kGridShift, 3, true},
-                        {header::kGridShift, 4, false},
-                        {header::kCodeBits, 0, false},
-                        {header::kCodeBits, kCodeBits - 1, false},
-                        {header::kCodeBits, kCodeBits + 1, false},
-                        {header::kCodeBits, 8, false},
-                        {header::kCodeBits, 255, false}};
-  for (const Case& c : cases) {
+  } cases[] = {{header::kGridShift, -5, false},
+               {header::kGridShift, -4, true},
+               {header::kGridShift, 3, true},
+               {header::kGridShift, 4, false},
+               {header::kCodeBits, 0, false},
+               {header::kCodeBits, kCodeBits - 1, false},
+               {header::kCodeBits, kCodeBits + 1, false},
+               {header::kCodeBits, 8, false},
+               {header::kCodeBits, 255, false}};
+  for (const auto& c : cases) {
     sample();
     rom[c.at] = static_cast<uint8_t>(c.value);
     CHECK_EQ(verify_changed() == Status::ok, c.is_ok);

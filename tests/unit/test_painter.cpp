@@ -15,20 +15,18 @@
 #include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
 #include "outline_font.hpp"
+#include "pixels.hpp"
 
 namespace {
 
 using namespace inkcell;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr char kText[] = "ADE F";
 constexpr int32_t kTurned = 4;
 // Text may leave the screen on all sides.
 constexpr Rect kAll = {-200, -200, 300, 300};
-
-bool is_same(const Rect& a, const Rect& b) {
-  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
-}
 
 // Whether `box` holds all that was touched, and at most `most` px more on a
 // side.
@@ -46,10 +44,7 @@ Point at(int32_t x_q6, int32_t y_q6) {
   return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
 }
 
-void check_boxes(const char* name,
-                 const Font& font,
-                 const Style& style,
-                 int32_t most = 2) {
+void check_boxes(const char* name, const Style& style, int32_t most = 2) {
   bool is_right = true;
   const Point origins[] = {at(0, 0), at(13, 40), at(-411, 3001), at(640, -27)};
   for (const Point origin : origins) {
@@ -79,24 +74,21 @@ Direction turned() {
 }  // namespace
 
 TEST(boxes_of_text_hold_what_is_drawn) {
-  const Font font = sample_font();
-  constexpr int32_t kSizes[] = {5, 12, 15, 40};
-  for (const int32_t px : kSizes) {
-    check_boxes("plain", font, style_of(px));
+  for (const int32_t px : each_of({5, 12, 15, 40})) {
+    check_boxes("plain", style_of(px));
   }
-  Style style(Q26_6::from_int(17), kFilterArea);
-  check_boxes("exact area", font, style);
-  style = Style(Q26_6::from_int(20), kFilterText, turned());
+  Style style(17_px, kFilterArea);
+  check_boxes("exact area", style);
+  style = Style(20_px, kFilterText, turned());
   // The corners of the turned boxes of glyphs, which are round.
-  check_boxes("turned", font, style, kTurned);
+  check_boxes("turned", style, kTurned);
   style = Style({Q16_16::from_int(20), Q16_16::from_int(0), Q16_16::from_int(5),
                  Q16_16::from_int(24)},
                 kFilterText);
-  check_boxes("stretched and slanted", font, style);
+  check_boxes("stretched and slanted", style);
 }
 
 TEST(boxes_of_text_hold_what_effects_draw) {
-  const Font font = sample_font();
   const Stroke stroke(kFilterText, Q6_10::from_raw(1500));
   const Lcd lcd;
   const Bilevel bilevel;
@@ -104,19 +96,18 @@ TEST(boxes_of_text_hold_what_effects_draw) {
   const MotionBlur blur(at(150, -75));
   Style style = style_of(16);
   style.set_effect(stroke);
-  check_boxes("stroke", font, style);
+  check_boxes("stroke", style);
   style.set_effect(lcd);
-  check_boxes("sub-pixels", font, style);
+  check_boxes("sub-pixels", style);
   style.set_effect(bilevel);
-  check_boxes("1 bit", font, style);
+  check_boxes("1 bit", style);
   style.set_effect(samples);
-  check_boxes("supersampling", font, style);
+  check_boxes("supersampling", style);
   style.set_effect(blur);
-  check_boxes("motion blur", font, style);
+  check_boxes("motion blur", style);
 }
 
 TEST(boxes_of_text_hold_what_fitted_styles_draw) {
-  const Font font = sample_font();
   for (int32_t i = 0; i != 2; ++i) {
     const bool is_across = i == 1;
     Style style = style_of(13);
@@ -125,17 +116,16 @@ TEST(boxes_of_text_hold_what_fitted_styles_draw) {
     Fit fit;
     CHECK_OK(Fit::make(font, style, options, fit));
     style.set_fit(fit);
-    check_boxes(is_across ? "fitted across" : "fitted", font, style);
+    check_boxes(is_across ? "fitted across" : "fitted", style);
   }
 }
 
 TEST(boxes_of_soft_edges_hold_them) {
-  const Font font = sample_font();
   const Filter glow = glow_filter(Q6_10::from_raw(4096));
   const Filter shadow = shadow_filter(Q6_10::from_raw(2048));
   const Filter* const filters[] = {&glow, &shadow};
   for (const Filter* filter : filters) {
-    Style style(Q26_6::from_int(16), *filter);
+    Style style(16_px, *filter);
     Ink touched;
     const Sink sink = touched.sink(kAll);
     const Painter painter(sink);
@@ -146,7 +136,6 @@ TEST(boxes_of_soft_edges_hold_them) {
 }
 
 TEST(what_shows_nothing_has_no_box) {
-  const Font font = sample_font();
   const Painter painter;
   Style style = style_of(16);
   CHECK(is_empty(painter.box(font, style, {}, "")));
@@ -163,7 +152,6 @@ TEST(what_shows_nothing_has_no_box) {
 }
 
 TEST(boxes_of_glyphs_and_runs_are_those_of_their_text) {
-  const Font font = sample_font();
   const Style style = style_of(16);
   const Point origin = at(77, -300);
   const Painter painter;
@@ -187,7 +175,6 @@ TEST(boxes_of_glyphs_and_runs_are_those_of_their_text) {
 }
 
 TEST(measures_in_pixels_are_those_in_units) {
-  const Font font = sample_font();
   const Style style = style_of(20);
   const TextMeasure units = measure(font, "AF");
   const PixelMeasure px = Painter().measure(font, style, "AF");
@@ -202,9 +189,9 @@ TEST(measures_in_pixels_are_those_in_units) {
 }
 
 // The rows of ink above the baseline.
-int32_t height_of(const Font& font, const Style& style, Text text) {
+int32_t height_of(const Font& own, const Style& style, Text text) {
   Ink touched;
-  Painter(touched.sink(kAll)).text(font, style, at(0, 200 * 64), text);
+  Painter(touched.sink(kAll)).text(own, style, at(0, 200 * 64), text);
   return 200 - touched.box.y0;
 }
 
@@ -219,9 +206,9 @@ TEST(sizes_by_the_height_of_capitals_and_digits) {
     font_builder::put_u16(font_bytes + format::header::kCapHeight,
                           static_cast<uint32_t>(cap_height));
     CHECK(font_builder::repair_checksums({font_bytes, size}));
-    Font font;
-    CHECK_OK(Font::open({font_bytes, size}, font));
-    return font;
+    Font opened;
+    CHECK_OK(Font::open({font_bytes, size}, opened));
+    return opened;
   };
   const Font digits = open('0', 512);
   for (int32_t px = 5; px <= 60; px += 5) {
@@ -242,8 +229,7 @@ TEST(sizes_by_the_height_of_capitals_and_digits) {
   }
   CHECK_EQ(Style::for_digit_height(capitals, 30_px).size().raw, 60 * 64);
   // With neither, of the em; always in range.
-  constexpr int32_t kNone[] = {0, -1, INT16_MIN};
-  for (const int32_t cap_height : kNone) {
+  for (const int32_t cap_height : each_of({0, -1, INT16_MIN})) {
     const Font none = open('a', cap_height);
     CHECK_EQ(Style::for_cap_height(none, 30_px).size().raw, 30 * 64);
     CHECK_EQ(Style::for_digit_height(none, 30_px).size().raw, 30 * 64);

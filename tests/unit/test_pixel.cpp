@@ -9,6 +9,8 @@
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
+#include "pixels.hpp"
+#include "random.hpp"
 
 namespace {
 
@@ -198,12 +200,7 @@ constexpr int32_t kHeight = 11;  // a page and a part of one
 constexpr size_t kMargin = 16;
 constexpr size_t kBytes = 2 * kMargin + (4 * kMaxWidth + 8) * kHeight;
 
-uint32_t random_state = 1;
-
-uint32_t random_below(uint32_t limit) {
-  random_state = random_state * 1664525 + 1013904223;
-  return (random_state >> 16) % limit;
-}
+Random random(1);
 
 // A strip in memory filled with noise, and that noise once more.
 struct Canvas {
@@ -213,7 +210,7 @@ struct Canvas {
 
   void open(const Format& f, int32_t width, size_t shift) {
     for (size_t i = 0; i < kBytes; ++i) {
-      before[i] = after[i] = static_cast<uint8_t>(random_below(256));
+      before[i] = after[i] = static_cast<uint8_t>(random.below(256));
     }
     const bool words = f.format == PixelFormat::xrgb8888;
     const int32_t padding = words ? 4 : static_cast<int32_t>(shift % 3);
@@ -287,14 +284,12 @@ void check_call(const Format& f, const Call& call) {
   } else {
     sink.coverage(sink.context, call.x, call.y, call.coverage, call.count);
   }
-  for (int32_t y = 0; y < canvas.strip.height; ++y) {
-    for (int32_t x = 0; x < canvas.strip.width; ++x) {
-      const Pixel before = f.read(f, canvas.old(), x, y);
-      const Pixel after = f.read(f, canvas.strip, x, y);
-      const uint32_t c = call.at(kX0 + x, kY0 + y);
-      for (uint32_t i = 0; i < f.channels; ++i) {
-        CHECK_EQ(after.channel[i], drawn_channel(f, i, c, before.channel[i]));
-      }
+  for (const auto [x, y] : pixels_of(canvas.strip.width, canvas.strip.height)) {
+    const Pixel before = f.read(f, canvas.old(), x, y);
+    const Pixel after = f.read(f, canvas.strip, x, y);
+    const uint32_t c = call.at(kX0 + x, kY0 + y);
+    for (uint32_t i = 0; i < f.channels; ++i) {
+      CHECK_EQ(after.channel[i], drawn_channel(f, i, c, before.channel[i]));
     }
   }
   check_rest_untouched(f);
@@ -354,9 +349,7 @@ TEST(all_runs) {
   for (const Format& f : kFormats) {
     for (int32_t x = 0; x < 9 && !check::failed(); ++x) {
       for (int32_t count = 1; count <= kMaxWidth - x; ++count) {
-        for (uint8_t& each : coverage) {
-          each = static_cast<uint8_t>(random_below(256));
-        }
+        random.fill(coverage);
         const auto shift = static_cast<size_t>(x + count) % 4;
         canvas.open(f, kMaxWidth - count % 2, shift);
         check_call(f, {kX0 + x, kY0 + count % kHeight, count, coverage});
@@ -372,7 +365,7 @@ TEST(clipping) {
   const int32_t kRows[] = {-1, 0, kHeight - 1, kHeight};
   uint8_t coverage[kMaxSpan];
   for (uint8_t& each : coverage) {
-    each = static_cast<uint8_t>(1 + random_below(255));
+    each = static_cast<uint8_t>(1 + random.below(255));
   }
   for (const Format& f : kFormats) {
     for (int32_t x = -12; x <= 12 && !check::failed(); ++x) {

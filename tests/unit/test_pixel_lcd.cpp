@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "inkcell/port/dither.hpp"
 #include "inkcell/port/lcd.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -31,7 +32,7 @@ Strip strip_of(PixelFormat format) {
 
 void fill(Random& random) {
   for (size_t i = 0; i < sizeof(bytes); ++i) {
-    bytes[i] = before[i] = static_cast<uint8_t>(random.next());
+    bytes[i] = before[i] = random.any();
   }
   for (uint8_t& coverage : coverages) {
     const uint32_t kind = random.below(4);
@@ -89,10 +90,9 @@ int32_t bayer(int32_t x, int32_t y) {
 
 template <typename Canvas>
 void check_grey(PixelFormat format, uint8_t level, int32_t bits) {
-  for (Rounds rounds(17, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
-    const bool high = round % 2 == 0;
+  Rounds rounds(17, 300);
+  for (Random& random : rounds) {
+    const bool high = rounds.number % 2 == 0;
     fill(random);
     Canvas sink(strip_of(format), level,
                 high ? BitOrder::high_left : BitOrder::low_left);
@@ -100,32 +100,29 @@ void check_grey(PixelFormat format, uint8_t level, int32_t bits) {
     CHECK_OK(sink.status());
     const Run run = any_run(random);
     sink.coverage(sink.context, run.x, run.y, coverages, run.count);
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        const uint8_t* c = given(run, x, y, 1);
-        const int32_t stride = sink.strip().stride;
-        const uint32_t old = bits_at(before, stride, x, y, bits, high);
-        uint32_t expected = old;
-        if (c != nullptr && *c != 0) {
-          // Up if what is over a level reaches the step.
-          const uint32_t sum = *c * level + (255u - *c) * old;
-          const uint32_t over = sum % 255;
-          const auto step = static_cast<uint32_t>(bayer(kX0 + x, kY0 + y));
-          expected = sum / 255 + (over >= step ? 1 : 0);
-        }
-        CHECK_EQ(bits_at(bytes, stride, x, y, bits, high), expected);
+    for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+      const uint8_t* c = given(run, x, y, 1);
+      const int32_t stride = sink.strip().stride;
+      const uint32_t old = bits_at(before, stride, x, y, bits, high);
+      uint32_t expected = old;
+      if (c != nullptr && *c != 0) {
+        // Up if what is over a level reaches the step.
+        const uint32_t sum = *c * level + (255u - *c) * old;
+        const uint32_t over = sum % 255;
+        const auto step = static_cast<uint32_t>(bayer(kX0 + x, kY0 + y));
+        expected = sum / 255 + (over >= step ? 1 : 0);
       }
+      CHECK_EQ(bits_at(bytes, stride, x, y, bits, high), expected);
     }
   }
 }
 
 template <typename Canvas, typename Bit>
 void check_mono(PixelFormat format, const Bit& bit) {
-  for (Rounds rounds(18, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
-    const auto level = static_cast<uint8_t>(round & 1);
-    const uint8_t threshold = round % 3 == 0 ? 100 : 128;
+  Rounds rounds(18, 300);
+  for (Random& random : rounds) {
+    const auto level = static_cast<uint8_t>(rounds.number & 1);
+    const uint8_t threshold = rounds.number % 3 == 0 ? 100 : 128;
     fill(random);
     Canvas sink(strip_of(format), level);
     sink.set_threshold(threshold);
@@ -133,14 +130,12 @@ void check_mono(PixelFormat format, const Bit& bit) {
     CHECK_OK(sink.status());
     const Run run = any_run(random);
     sink.coverage(sink.context, run.x, run.y, coverages, run.count);
-    for (int32_t y = 0; y < kHeight; ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        const uint8_t* c = given(run, x, y, 1);
-        const int32_t step = bayer(kX0 + x, kY0 + y) + threshold - 128;
-        const bool is_drawn =
-            c != nullptr && *c != 0 && (*c == 255 || *c >= step);
-        CHECK_EQ(bit(bytes, x, y), is_drawn ? level : bit(before, x, y));
-      }
+    for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+      const uint8_t* c = given(run, x, y, 1);
+      const int32_t step = bayer(kX0 + x, kY0 + y) + threshold - 128;
+      const bool is_drawn =
+          c != nullptr && *c != 0 && (*c == 255 || *c >= step);
+      CHECK_EQ(bit(bytes, x, y), is_drawn ? level : bit(before, x, y));
     }
   }
 }
@@ -170,11 +165,10 @@ constexpr int kBlueFirst[3] = {2, 1, 0};
 }  // namespace
 
 TEST(bytes_blend_each_channel_for_itself) {
-  for (Rounds rounds(15, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
+  Rounds rounds(15, 300);
+  for (Random& random : rounds) {
     fill(random);
-    const bool red_first = round % 2 == 0;
+    const bool red_first = rounds.number % 2 == 0;
     Rgb888Canvas sink(
         strip_of(PixelFormat::rgb888), kColour,
         red_first ? ChannelOrder::red_first : ChannelOrder::blue_first);
@@ -185,8 +179,7 @@ TEST(bytes_blend_each_channel_for_itself) {
 }
 
 TEST(words_blend_each_channel_for_itself) {
-  for (Rounds rounds(16, 300); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(16, 300)) {
     fill(random);
     Xrgb8888Canvas sink(strip_of(PixelFormat::xrgb8888), kColour);
     set_sub_pixels(sink);
@@ -195,12 +188,11 @@ TEST(words_blend_each_channel_for_itself) {
 }
 
 TEST(rgb565_blends_each_channel_for_itself) {
-  for (Rounds rounds(14, 300); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
+  Rounds rounds(14, 300);
+  for (Random& random : rounds) {
     fill(random);
     const uint16_t colour = rgb565(0x40, 0xc2, 0xfe);
-    const int low = round % 2;
+    const int low = rounds.number % 2;
     Strip strip = strip_of(PixelFormat::rgb565);
     strip.order = low == 0 ? ByteOrder::low_first : ByteOrder::high_first;
     Rgb565Canvas sink(strip, colour);

@@ -4,14 +4,19 @@
 
 #include "any_record.hpp"
 #include "check.hpp"
+#include "effect_glyph.hpp"
 #include "font_builder.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
+#include "sink_calls.hpp"
 
 namespace {
 
 using namespace inkcell;
+using effect::field_of;
+using effect::open_glyph;
 using font_builder::Record;
 
 constexpr int32_t kSide = 40;
@@ -19,19 +24,7 @@ constexpr int32_t kSide = 40;
 // Too large for the stack of a small board.
 Picture<kSide, kSide> canvas;
 Picture<kSide, kSide> reference;
-Record record;
-
-alignas(4) uint8_t bytes[1536];
-
-GlyphField field_of(font_builder::Shape shape) {
-  record.reset();
-  record.fill(shape);
-  GlyphField field;
-  CHECK(record.size() <= sizeof(bytes));
-  record.write(bytes);
-  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
-  return field;
-}
+Record& record = effect::glyph_record;
 
 Direction direction(int32_t cosine_q30, int32_t sine_q30) {
   Direction result;
@@ -54,9 +47,8 @@ constexpr int32_t kDirections[][2] = {{kOne, 0},
                                       {kOne, 1}};
 
 Style style_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
-  Style style(Q26_6::from_raw(size_q6), kFilterText,
-              direction(turn[0], turn[1]));
-  return style;
+  return Style(Q26_6::from_raw(size_q6), kFilterText,
+               direction(turn[0], turn[1]));
 }
 
 // A window of at most kSide pixels a side somewhere in or around the box.
@@ -119,19 +111,16 @@ TEST(fused_drawing_equals_the_plain_chain) {
 
 // Numbers without sense make a picture without sense, but only one.
 TEST(windows_do_not_change_any_cells) {
-  for (Rounds rounds(2, 120); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
+  Rounds rounds(2, 120);
+  for (Random& random : rounds) {
     make_any(record, random);
-    record.write(bytes);
-    GlyphField field;
-    CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+    const GlyphField field = open_glyph();
     // Every other time pixels lie on the borders of cells exactly.
-    const bool exact = round % 2 != 0;
+    const bool exact = rounds.number % 2 != 0;
     const int32_t size =
         exact ? 256 << random.below(9) : random.between(4 * 64, 600 * 64);
-    const Style style =
-        style_of(size, kDirections[round % 4 < 2 ? 0 : random.below(8)]);
+    const Style style = style_of(
+        size, kDirections[rounds.number % 4 < 2 ? 0 : random.below(8)]);
     const FinePoint origin(exact ? 512 + 1024 * random.between(-9, 9)
                                  : random.between(-9999, 9999),
                            exact ? 512 : random.between(-9999, 9999));
@@ -190,28 +179,24 @@ TEST(strips_do_not_change_the_picture) {
 
 namespace {
 
-// The sum of coverage of all that is drawn.
+// The sum of coverage of all that is drawn, by place.
+struct PlacedSum : SinkCalls<PlacedSum> {
+  uint32_t sum = 0;
+
+  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    for (int32_t i = 0; i < count; ++i) {
+      const uint32_t value = values == nullptr ? 255 : values[i];
+      sum += value * static_cast<uint32_t>(7 * (x + i) + y);
+    }
+  }
+};
 uint32_t sum_in(const GlyphField& field,
                 const Style& style,
                 const Rect& window) {
-  uint32_t sum = 0;
-  const Sink sink = {window, &sum,
-                     [](void* context, int32_t x, int32_t y,
-                        const uint8_t* coverage, int32_t count) {
-                       for (int32_t i = 0; i < count; ++i) {
-                         *static_cast<uint32_t*>(context) +=
-                             coverage[i] *
-                             static_cast<uint32_t>(7 * (x + i) + y);
-                       }
-                     },
-                     [](void* context, int32_t x, int32_t y, int32_t count) {
-                       for (int32_t i = 0; i < count; ++i) {
-                         *static_cast<uint32_t*>(context) +=
-                             255 * static_cast<uint32_t>(7 * (x + i) + y);
-                       }
-                     }};
-  draw_field(field, style, {}, sink);
-  return sum;
+  PlacedSum sum;
+  draw_field(field, style, {},
+             {window, &sum, PlacedSum::coverage, PlacedSum::solid});
+  return sum.sum;
 }
 
 // A column of 90 saturated tiles at the end of what grids may reach.
@@ -258,20 +243,18 @@ TEST(rows_may_begin_far_from_the_grid) {
 TEST(quarter_turns_turn_the_picture) {
   const GlyphField field = field_of(font_builder::bar);
   const Rect around = {-20, -20, 20, 20};
-  const int32_t sizes[] = {8 * 64, 16 * 64, 32 * 64};  // exact steps
-  for (const int32_t size : sizes) {
+  // exact steps
+  for (const int32_t size : each_of({8 * 64, 16 * 64, 32 * 64})) {
     draw_field(field, style_of(size), {}, clear(reference, around));
     CHECK(reference.ink() > 0);
     for (int quarter = 1; quarter < 4; ++quarter) {
       draw_field(field, style_of(size, kDirections[quarter]), {},
                  clear(canvas, around));
-      for (int32_t y = -20; y < 20; ++y) {
-        for (int32_t x = -20; x < 20; ++x) {
-          const int32_t from_x[] = {x, -1 - y, -1 - x, y};
-          const int32_t from_y[] = {y, x, -1 - y, -1 - x};
-          CHECK_EQ(canvas.at(x, y),
-                   reference.at(from_x[quarter], from_y[quarter]));
-        }
+      for (const auto [x, y] : pixels_of({-20, -20, 20, 20})) {
+        const int32_t from_x[] = {x, -1 - y, -1 - x, y};
+        const int32_t from_y[] = {y, x, -1 - y, -1 - x};
+        CHECK_EQ(canvas.at(x, y),
+                 reference.at(from_x[quarter], from_y[quarter]));
       }
     }
   }
@@ -320,19 +303,17 @@ TEST(turned_shapes_are_where_they_should_be) {
                clear(canvas, {-20, -20, 20, 20}));
     const double cosine = turn[0] / static_cast<double>(kOne);
     const double sine = turn[1] / static_cast<double>(kOne);
-    for (int32_t y = -20; y < 20; ++y) {
-      for (int32_t x = -20; x < 20; ++x) {
-        const double right = x + 0.5;
-        const double up = -0.5 - y;
-        const double u = 1024 / size;
-        const int32_t distance_q6 = font_builder::disc(
-            static_cast<int32_t>((right * cosine + up * sine) * u + 0.5),
-            static_cast<int32_t>((up * cosine - right * sine) * u + 0.5));
-        const int32_t expected =
-            kFilterText.coverage(static_cast<int32_t>(distance_q6 * 16 / u));
-        const int32_t error = expected - canvas.at(x, y);
-        CHECK(error <= 16 && error >= -16);
-      }
+    for (const auto [x, y] : pixels_of({-20, -20, 20, 20})) {
+      const double right = x + 0.5;
+      const double up = -0.5 - y;
+      const double u = 1024 / size;
+      const int32_t distance_q6 = font_builder::disc(
+          static_cast<int32_t>((right * cosine + up * sine) * u + 0.5),
+          static_cast<int32_t>((up * cosine - right * sine) * u + 0.5));
+      const int32_t expected =
+          kFilterText.coverage(static_cast<int32_t>(distance_q6 * 16 / u));
+      const int32_t error = expected - canvas.at(x, y);
+      CHECK(error <= 16 && error >= -16);
     }
   }
 }
@@ -361,8 +342,7 @@ TEST(origins_anywhere_are_harmless) {
   Random random(7);
   const int32_t ends[] = {INT32_MIN,  INT32_MIN + 1, -32768 * 64, -1,
                           32767 * 64, INT32_MAX - 1, INT32_MAX};
-  const int32_t sizes[] = {4 * 64, 1024 * 64};
-  for (const int32_t size : sizes) {
+  for (const int32_t size : each_of({4 * 64, 1024 * 64})) {
     for (const auto& turn : kDirections) {
       const Style style = style_of(size, turn);
       for (int i = 0; i < 60; ++i) {
@@ -390,13 +370,11 @@ TEST(the_largest_grids_are_harmless) {
   }
   const int8_t offsets[8] = {-128, 127, -128, 127, 127, -128, 127, -128};
   record.add_raw_cell(INT16_MAX, offsets);
-  record.write(bytes);
-  GlyphField field;
-  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  const GlyphField field = open_glyph();
   CHECK_EQ(field.x1_u(), 15360);
   Random random(12);
-  const int32_t sizes[] = {4 * 64, 5 * 64 + 3, 100 * 64, 1024 * 64};
-  for (const int32_t size : sizes) {
+  for (const int32_t size :
+       each_of({4 * 64, 5 * 64 + 3, 100 * 64, 1024 * 64})) {
     for (const auto& turn : kDirections) {
       const Style style = style_of(size, turn);
       const Rect box = field_box(field, style, {100, 100});
@@ -432,21 +410,18 @@ TEST(draws_a_bar_between_pixels) {
   Picture<10, 14> picture;
   // 16 px: 200..440 u are 3.125..6.875 px, moved by a quarter; 640 u are 10.
   draw_field(field, style_of(16 * 64), {256, 12 * 1024 + 512}, picture.sink());
-  CHECK_PICTURE(picture,
-                "..........\n"
-                "..........\n"
-                "...++++:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...+###:..\n"
-                "...++++:..\n"
-                "..........\n");
+  CHECK_PICTURE_AT(picture, 3, 2,
+                   "++++:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "+###:\n"
+                   "++++:\n");
 }
 
 TEST(draws_a_small_disc_upright_and_turned) {
@@ -483,8 +458,7 @@ TEST(far_glyphs_show_nothing) {
   const GlyphField field = field_of(font_builder::disc);
   const Style style = style_of(20 * 64);
   constexpr int64_t kFar = int64_t{1} << 32;
-  const int64_t ways[] = {kFar, -kFar, 3 * kFar};
-  for (const int64_t way : ways) {
+  for (const int64_t way : each_of({kFar, -kFar, 3 * kFar})) {
     canvas.clear_at(0, 0);
     draw_field(field, style, {way, 20 * 1024}, canvas.sink());
     draw_field(field, style, {0, way + 20 * 1024}, canvas.sink());

@@ -22,8 +22,7 @@ bool in_circle(int32_t x, int32_t y, int32_t diameter) {
 }
 
 TEST(gc9a01_shows_all_of_its_circle) {
-  constexpr int32_t kHeights[] = {1, 10, 64};
-  for (const int32_t rows : kHeights) {
+  for (const int32_t rows : each_of({1, 10, 64})) {
     DcsModel model(240, 240);
     auto display = make_display<Gc9a01>(model, 240, 240);
     display.mirror_columns = true;

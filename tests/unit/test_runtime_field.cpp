@@ -7,6 +7,7 @@
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -197,14 +198,12 @@ TEST(pictures_are_those_of_the_distance) {
     Picture<kPx, kPx> picture;
     draw_field(field, style, FinePoint(1024, 20 * 1024), picture.sink());
     set_truth(glyph, kPx / 1024.0, 1, 20);
-    for (int32_t y = 0; y < kPx; ++y) {
-      for (int32_t x = 0; x < kPx; ++x) {
-        const double px = truth.distance(x + 0.5, y + 0.5);
-        const int32_t expected = style.filter().coverage(
-            static_cast<int32_t>(clamped(px, 4) * 1024));
-        const int32_t error = picture.at(x, y) - expected;
-        CHECK(error <= kWorst && error >= -kWorst);
-      }
+    for (const auto [x, y] : pixels_of(kPx, kPx)) {
+      const double px = truth.distance(x + 0.5, y + 0.5);
+      const int32_t expected =
+          style.filter().coverage(static_cast<int32_t>(clamped(px, 4) * 1024));
+      const int32_t error = picture.at(x, y) - expected;
+      CHECK(error <= kWorst && error >= -kWorst);
     }
   }
 }
@@ -235,8 +234,7 @@ TEST(wrong_arguments_are_refused) {
 TEST(any_bytes_are_safe) {
   const Font font = open_font();
   constexpr uint32_t kHeader = 64;
-  for (Rounds rounds(3, 300); rounds.next();) {
-    Random& random = rounds.random;
+  for (Random& random : Rounds(3, 300)) {
     const size_t size = outline_record::build_sample_font(rom);
     for (uint32_t i = 1 + random.below(12); i != 0; --i) {
       const uint32_t at = random.below(static_cast<uint32_t>(size) - kHeader);

@@ -6,6 +6,7 @@
 #include "inkcell/simulation/bodies.hpp"
 #include "inkcell/simulation/body_draw.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -87,13 +88,11 @@ struct Board {
 
   Board() {
     DistanceGrid grid(samples, 10, 48, 0);
-    for (int32_t y = 0; y < 48; ++y) {
-      for (int32_t x = 0; x < 10; ++x) {
-        const int32_t across = 32 - magnitude(2 * x - 9) * 16;
-        const int32_t along = 20 * 32 - magnitude(2 * y - 47) * 16;
-        const int32_t inside = across < along ? across : along;
-        grid.row(y)[x] = static_cast<int8_t>(inside < -128 ? -128 : inside);
-      }
+    for (const auto [x, y] : pixels_of(10, 48)) {
+      const int32_t across = 32 - magnitude(2 * x - 9) * 16;
+      const int32_t along = 20 * 32 - magnitude(2 * y - 47) * 16;
+      const int32_t inside = across < along ? across : along;
+      grid.row(y)[x] = static_cast<int8_t>(inside < -128 ? -128 : inside);
     }
     CHECK_OK(shape.make(grid, edge));
   }
@@ -191,16 +190,15 @@ TEST(nothing_is_shot_through_a_thin_board) {
   BodyRules rules;
   rules.walls = {0, 0, 160, 40};
   rules.bounce_q8 = 200;
-  for (Rounds rounds(77, INKCELL_SHOTS); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t shot = rounds.number;
+  Rounds rounds(77, INKCELL_SHOTS);
+  for (Random& random : rounds) {
     bodies[0] = Body();
     bodies[0].shape = &board.shape;
     bodies[0].is_fixed = true;
     bodies[0].x = Q16_16::from_int(80);
     bodies[0].y = Q16_16::from_int(20);
     bodies[1] = Body();
-    bodies[1].shape = &models[shot % 2].shape;
+    bodies[1].shape = &models[rounds.number % 2].shape;
     bodies[1].x = Q16_16::from_int(40);
     bodies[1].y = Q16_16::from_int(20);
     bodies[1].turn_q32 = random.next();
@@ -265,13 +263,11 @@ TEST(soft_bodies_meet_at_one_line) {
     CHECK(now > ink[i] * 99 / 100 && now < ink[i] * 101 / 100);
   }
   int32_t shared = 0;
-  for (int32_t y = 0; y < 64; ++y) {
-    for (int32_t x = 0; x < 64; ++x) {
-      const int32_t first = picture[0].at(x, y);
-      const int32_t second = picture[1].at(x, y);
-      CHECK(first + second <= 300);
-      shared += first > 60 && second > 60 ? 1 : 0;
-    }
+  for (const auto [x, y] : pixels_of(64, 64)) {
+    const int32_t first = picture[0].at(x, y);
+    const int32_t second = picture[1].at(x, y);
+    CHECK(first + second <= 300);
+    shared += first > 60 && second > 60 ? 1 : 0;
   }
   CHECK(shared >= 3);  // both end there
   // Strips, and parts of them, give the same picture.

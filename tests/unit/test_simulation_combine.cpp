@@ -4,6 +4,7 @@
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/simulation/combine.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 
 namespace {
@@ -44,15 +45,13 @@ Strip strip(int32_t angle, double low, double high) {
 
 DistanceGrid fill(const Strip& shape, int8_t (&samples)[kSide * kSide]) {
   const DistanceGrid grid(samples, kSide, kSide, 0);
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      // Sample s holds distances of s / 32 to (s + 1) / 32.
-      const double fine = 32 * shape.distance(x + 0.5, y + 0.5) + 1024;
-      const auto whole = static_cast<int32_t>(fine < 0 ? 0 : fine) - 1024;
-      samples[y * kSide + x] = static_cast<int8_t>(whole < -128  ? -128
-                                                   : whole > 127 ? 127
-                                                                 : whole);
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    // Sample s holds distances of s / 32 to (s + 1) / 32.
+    const double fine = 32 * shape.distance(x + 0.5, y + 0.5) + 1024;
+    const auto whole = static_cast<int32_t>(fine < 0 ? 0 : fine) - 1024;
+    samples[y * kSide + x] = static_cast<int8_t>(whole < -128  ? -128
+                                                 : whole > 127 ? 127
+                                                               : whole);
   }
   return grid;
 }
@@ -95,21 +94,19 @@ Worst compare(Combine how, const Strip& a, const Strip& b) {
   Picture<kSide, kSide> picture;
   draw_combined(parts, kFilterText, picture.sink());
   Worst worst;
-  for (int32_t y = 6; y < kSide - 6; ++y) {
-    for (int32_t x = 6; x < kSide - 6; ++x) {
-      const double truth = exact(how, a, b, x, y);
-      const double error = magnitude(picture.at(x, y) - truth);
-      worst.combined = error > worst.combined ? error : worst.combined;
-      const int32_t one = first.at(x, y);
-      const int32_t other =
-          how == Combine::subtract ? -second.at(x, y) : second.at(x, y);
-      const int32_t most = one > other ? one : other;
-      const int32_t least = one > other ? other : one;
-      const int32_t chosen = how == Combine::unite ? most : least;
-      const double plain =
-          magnitude(kFilterText.coverage(chosen * 32 + 16) - truth);
-      worst.plain = plain > worst.plain ? plain : worst.plain;
-    }
+  for (const auto [x, y] : pixels_of({6, 6, kSide - 6, kSide - 6})) {
+    const double truth = exact(how, a, b, x, y);
+    const double error = magnitude(picture.at(x, y) - truth);
+    worst.combined = error > worst.combined ? error : worst.combined;
+    const int32_t one = first.at(x, y);
+    const int32_t other =
+        how == Combine::subtract ? -second.at(x, y) : second.at(x, y);
+    const int32_t most = one > other ? one : other;
+    const int32_t least = one > other ? other : one;
+    const int32_t chosen = how == Combine::unite ? most : least;
+    const double plain =
+        magnitude(kFilterText.coverage(chosen * 32 + 16) - truth);
+    worst.plain = plain > worst.plain ? plain : worst.plain;
   }
   return worst;
 }
@@ -245,9 +242,7 @@ TEST(any_parts_are_safe) {
   Random random(11);
   const DistanceGrid empty;
   for (int32_t round = 0; round < 300; ++round) {
-    for (int8_t& sample : first_samples) {
-      sample = static_cast<int8_t>(random.byte());
-    }
+    random.fill(first_samples);
     const int32_t scale = random.between(0, 3);
     const DistanceGrid any(first_samples, random.between(1, kSide),
                            random.between(1, kSide), scale);
@@ -256,18 +251,17 @@ TEST(any_parts_are_safe) {
     for (GridPart& part : parts) {
       const bool is_wild = random.below(4) == 0;
       part.grid = grids[random.below(8) < 6 ? 0 : random.below(3)];
-      part.x.raw = is_wild ? static_cast<int32_t>(random.next())
+      part.x.raw = is_wild ? random.between(INT32_MIN, INT32_MAX)
                            : random.between(-600000, 600000);
-      part.y.raw = is_wild ? static_cast<int32_t>(random.next())
+      part.y.raw = is_wild ? random.between(INT32_MIN, INT32_MAX)
                            : random.between(-600000, 600000);
       part.how = static_cast<Combine>(random.below(6));
-      part.reach.raw = static_cast<int32_t>(random.next());
+      part.reach.raw = random.any();
     }
     Picture<8, 8> picture(random.between(-20, 20), random.between(-20, 20));
     draw_combined({parts, random.below(5)}, kFilterMotion, picture.sink());
-    static_cast<void>(combined_at(
-        parts, Q16_16::from_raw(static_cast<int32_t>(random.next())),
-        Q16_16::from_raw(static_cast<int32_t>(random.next())), kFilterText));
+    static_cast<void>(combined_at(parts, Q16_16::from_raw(random.any()),
+                                  Q16_16::from_raw(random.any()), kFilterText));
   }
 }
 

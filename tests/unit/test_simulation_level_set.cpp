@@ -7,6 +7,7 @@
 #include "inkcell/simulation/melt.hpp"
 #include "inkcell/simulation/redistance.hpp"
 #include "outline_font.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -29,23 +30,26 @@ GridHistogram scratch;
 
 void paint(uint16_t glyph, DistanceGrid& grid) {
   grid.clear();
-  CHECK_OK(grid.paint(sample_font(), glyph, Q26_6::from_int(72),
-                      {Q26_6::from_int(20), Q26_6::from_int(76)}));
+  CHECK_OK(grid.paint(sample_font(), glyph, 72_px, {20, 76}));
 }
 
 // Difference of coverage, where a sample covers its square by a ramp.
 int32_t difference(const DistanceGrid& a, const DistanceGrid& b) {
   int32_t sum = 0;
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      const auto covered = [](int32_t value) {
-        const int32_t part = 2 * value + 33;
-        return part < 0 ? 0 : part > 64 ? 64 : part;
-      };
-      sum += magnitude(covered(a.at(x, y)) - covered(b.at(x, y)));
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    const auto covered = [](int32_t value) {
+      const int32_t part = 2 * value + 33;
+      return part < 0 ? 0 : part > 64 ? 64 : part;
+    };
+    sum += magnitude(covered(a.at(x, y)) - covered(b.at(x, y)));
   }
   return sum;
+}
+
+void exchange(DistanceGrid& grid, DistanceGrid& next) {
+  const DistanceGrid swap = grid;
+  grid = next;
+  next = swap;
 }
 
 // Steps a grid by a flow, in turns from one buffer to the other.
@@ -59,9 +63,7 @@ void flow_for(DistanceGrid& grid,
       redistance(next, grid);
       continue;
     }
-    const DistanceGrid swap = grid;
-    grid = next;
-    next = swap;
+    exchange(grid, next);
   }
 }
 
@@ -111,12 +113,10 @@ TEST(a_reversed_vortex_leaves_the_shape) {
   // A cutoff brings back what is left of the area.
   const int32_t cutoff = cutoff_for(grid, before.area(), scratch).raw;
   int64_t area = 0;
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      // A ramp of one sample, 2^13.
-      const int32_t covered = grid.at(x, y) * 256 + 128 - cutoff + 4096;
-      area += covered < 0 ? 0 : covered > 8192 ? 8192 : covered;
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    // A ramp of one sample, 2^13.
+    const int32_t covered = grid.at(x, y) * 256 + 128 - cutoff + 4096;
+    area += covered < 0 ? 0 : covered > 8192 ? 8192 : covered;
   }
   CHECK(magnitude(static_cast<int32_t>(area >> 7) - before.area()) <=
         before.area() / 200);
@@ -197,16 +197,14 @@ TEST(shapes_melt_and_others_freeze) {
   paint(kDiscGlyph, grid);
   paint(kEllGlyph, whole);
   Melting how;
-  how.floor = Q26_6::from_int(80);
+  how.floor = 80_px;
   how.area = grid.area();
   how.speed_q8 = 220;
   const int32_t top = grid.known_box().y0;
   for (int32_t i = 0; i < 160; ++i) {
     melt(grid, how, scratch);
     redistance(grid, next);
-    const DistanceGrid swap = grid;
-    grid = next;
-    next = swap;
+    exchange(grid, next);
     CHECK(magnitude(grid.area() - how.area) <= how.area / 5);
   }
   CHECK(magnitude(grid.area() - how.area) <= how.area / 25);
@@ -217,19 +215,15 @@ TEST(shapes_melt_and_others_freeze) {
   // It is filled where the puddle is, and above only later.
   const auto missing = [&](int32_t from, int32_t to) {
     int32_t count = 0;
-    for (int32_t y = from; y < to; ++y) {
-      for (int32_t x = 0; x < kSide; ++x) {
-        count += target.at(x, y) > 0 && grid.at(x, y) < 0 ? 1 : 0;
-      }
+    for (const auto [x, y] : pixels_of({0, from, kSide, to})) {
+      count += target.at(x, y) > 0 && grid.at(x, y) < 0 ? 1 : 0;
     }
     return count;
   };
   for (int32_t i = 0; i < 24; ++i) {
     freeze(grid, target, 16);
     redistance(grid, next);
-    const DistanceGrid swap = grid;
-    grid = next;
-    next = swap;
+    exchange(grid, next);
   }
   CHECK_EQ(missing(68, kSide), 0);
   CHECK(missing(0, 50) > 0);
@@ -240,9 +234,7 @@ TEST(shapes_melt_and_others_freeze) {
 }
 
 TEST(hostile_flows_do_no_harm) {
-  for (Rounds rounds(41, 60); rounds.next();) {
-    Random& random = rounds.random;
-    const auto raw = [&] { return static_cast<int32_t>(random.next()); };
+  for (Random& random : Rounds(41, 60)) {
     for (int32_t i = 0; i < 900; ++i) {
       first[i] = random.byte();
     }
@@ -252,23 +244,23 @@ TEST(hostile_flows_do_no_harm) {
     DistanceGrid next(second, width, random.below(9) == 0 ? 3 : height, 0);
     Vortex vortices[5];
     for (Vortex& vortex : vortices) {
-      vortex.x.raw = raw();
-      vortex.y.raw = raw();
-      vortex.strength = raw();
-      vortex.core = raw();
+      vortex.x.raw = random.any();
+      vortex.y.raw = random.any();
+      vortex.strength = random.any();
+      vortex.core = random.any();
     }
     Flow flow;
     flow.vortices = {vortices, random.below(6)};
-    flow.x_drift.raw = raw();
-    flow.y_drift.raw = raw();
+    flow.x_drift.raw = random.any();
+    flow.y_drift.raw = random.any();
     advect(grid, flow, next);
     redistance(grid, next);
     redistance(next, grid);
     Melting how;
-    how.floor.raw = raw();
-    how.speed_q8 = raw();
-    how.area = raw();
+    how.floor.raw = random.any();
+    how.speed_q8 = random.any();
+    how.area = random.any();
     melt(grid, how, scratch);
-    freeze(grid, next, raw());
+    freeze(grid, next, random.any());
   }
 }

@@ -6,6 +6,7 @@
 #include "inkcell/simulation/particles.hpp"
 #include "outline_font.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -34,8 +35,7 @@ DistanceGrid grid_of(uint16_t glyph, int32_t size, int32_t scale_log2) {
   const int32_t side = DistanceGrid::samples_of(kSide, scale_log2);
   DistanceGrid grid(samples, side, side, scale_log2);
   grid.clear();
-  CHECK_OK(grid.paint(sample_font(), glyph, Q26_6::from_int(size),
-                      {Q26_6::from_int(8), Q26_6::from_int(52)}));
+  CHECK_OK(grid.paint(sample_font(), glyph, Q26_6::from_int(size), {8, 52}));
   return grid;
 }
 
@@ -48,12 +48,6 @@ void scatter(Random& random, const DistanceGrid& grid, int32_t side_sign) {
     p.x_speed_q10 = static_cast<int16_t>(random.between(-9000, 9000));
     p.y_speed_q10 = static_cast<int16_t>(random.between(-9000, 9000));
   }
-}
-
-bool is_on(const Rect& walls, const Particle& p) {
-  const int32_t x = p.x.raw >> 16;
-  const int32_t y = p.y.raw >> 16;
-  return x >= walls.x0 && x < walls.x1 && y >= walls.y0 && y < walls.y1;
 }
 
 int64_t energy() {
@@ -124,8 +118,7 @@ TEST(particles_come_home_and_rest) {
   rules.kept_q16 = 49152;  // 1 - 2 sqrt(1/64)
   int32_t steps = 0;
   while (steps < 300 && (steps < 10 || !are_at_rest(particles))) {
-    pull_home(particles, homes, Q16_16::from_raw(kOne / 64),
-              Q26_6::from_int(2));
+    pull_home(particles, homes, Q16_16::from_raw(kOne / 64), 2_px);
     step(particles, rules, grid, 0, 0);
     ++steps;
   }
@@ -154,7 +147,7 @@ TEST(none_passes_an_edge_or_a_wall) {
       for (int32_t i = 0; i < kSteps; ++i) {
         step(particles, rules, grid, 0, 0);
         for (const Particle& p : particles) {
-          CHECK(is_on(kScreen, p));
+          CHECK(holds(kScreen, p.x.floor(), p.y.floor()));
           const int32_t depth = probe(grid, p.x, p.y).distance_q10 * sign;
           worst = depth > worst ? depth : worst;
         }
@@ -230,8 +223,7 @@ TEST(attraction_and_orbits_follow_the_edge) {
 }
 
 TEST(dots_are_as_large_as_told) {
-  const int32_t kRadii[] = {48, 64, 128, 320, 512};
-  for (const int32_t radius : kRadii) {
+  for (const int32_t radius : each_of({48, 64, 128, 320, 512})) {
     for (int32_t phase = 0; phase < 64; phase += 13) {
       const auto draw = [&](const Sink& sink) {
         draw_dot(Q16_16::from_raw(30 * kOne + phase * 1024),
@@ -252,42 +244,36 @@ TEST(dots_are_as_large_as_told) {
 }
 
 TEST(hostile_particles_do_no_harm) {
-  for (Rounds rounds(36, 200); rounds.next();) {
-    Random& random = rounds.random;
-    for (int8_t& sample : samples) {
-      sample = random.byte();
-    }
+  for (Random& random : Rounds(36, 200)) {
+    random.fill(samples);
     const DistanceGrid grid(samples, static_cast<int32_t>(random.below(40)),
                             static_cast<int32_t>(random.below(40)),
                             static_cast<int32_t>(random.below(4)));
     for (size_t i = 0; i < kCount; ++i) {
-      particles[i].x.raw = static_cast<int32_t>(random.next());
-      particles[i].y.raw = static_cast<int32_t>(random.next());
-      particles[i].x_speed_q10 = static_cast<int16_t>(random.next());
-      particles[i].y_speed_q10 = static_cast<int16_t>(random.next());
-      homes[i].x_q4 = static_cast<int16_t>(random.next());
-      homes[i].y_q4 = static_cast<int16_t>(random.next());
+      particles[i].x.raw = random.any();
+      particles[i].y.raw = random.any();
+      particles[i].x_speed_q10 = random.any();
+      particles[i].y_speed_q10 = random.any();
+      homes[i].x_q4 = random.any();
+      homes[i].y_q4 = random.any();
       picture.next_glyph();
-      draw_dot(particles[i].x, particles[i].y,
-               Q26_6::from_raw(static_cast<int32_t>(random.next())),
+      draw_dot(particles[i].x, particles[i].y, Q26_6::from_raw(random.any()),
                picture.sink());
     }
     ParticleRules rules;
     rules.walls = {random.between(-99, 99), random.between(-99, 99),
-                   static_cast<int32_t>(random.next()),
-                   static_cast<int32_t>(random.next())};
-    rules.gravity_q10 = static_cast<int16_t>(random.next());
-    rules.kept_q16 = static_cast<uint16_t>(random.next());
-    rules.bounce_q8 = static_cast<uint16_t>(random.next());
+                   random.any(), random.any()};
+    rules.gravity_q10 = random.any();
+    rules.kept_q16 = random.any();
+    rules.bounce_q8 = random.any();
     rules.side = static_cast<ParticleSide>(random.below(3));
-    rules.attraction_q10 = static_cast<int16_t>(random.next());
-    rules.orbit_q10 = static_cast<int16_t>(random.next());
-    rules.radius.raw = static_cast<int32_t>(random.next());
-    pull_home(particles, homes,
-              Q16_16::from_raw(static_cast<int32_t>(random.next())),
-              Q26_6::from_raw(static_cast<int32_t>(random.next())));
-    const auto x = static_cast<int32_t>(random.next());
-    const auto y = static_cast<int32_t>(random.next());
+    rules.attraction_q10 = random.any();
+    rules.orbit_q10 = random.any();
+    rules.radius.raw = random.any();
+    pull_home(particles, homes, Q16_16::from_raw(random.any()),
+              Q26_6::from_raw(random.any()));
+    const int32_t x = random.any();
+    const int32_t y = random.any();
     step(particles, rules, grid, x, y);
     static_cast<void>(spread_homes(grid, x >> 8, y >> 8, 1, homes));
     RandomNumbers numbers(random.next());

@@ -3,6 +3,7 @@
 #include "check.hpp"
 #include "inkcell/simulation/print_draw.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 
 namespace {
@@ -23,16 +24,14 @@ int8_t samples[kSide * kSide];
 // nearest side.
 DistanceGrid square() {
   const DistanceGrid grid(samples, kSide, kSide, 0);
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      const int32_t column = x < kSide - 1 - x ? x : kSide - 1 - x;
-      const int32_t row = y < kSide - 1 - y ? y : kSide - 1 - y;
-      const int32_t least = column < row ? column : row;
-      const int32_t value = (least - kMargin) * 32 + 16;
-      samples[y * kSide + x] = static_cast<int8_t>(value < -128  ? -128
-                                                   : value > 127 ? 127
-                                                                 : value);
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    const int32_t column = x < kSide - 1 - x ? x : kSide - 1 - x;
+    const int32_t row = y < kSide - 1 - y ? y : kSide - 1 - y;
+    const int32_t least = column < row ? column : row;
+    const int32_t value = (least - kMargin) * 32 + 16;
+    samples[y * kSide + x] = static_cast<int8_t>(value < -128  ? -128
+                                                 : value > 127 ? 127
+                                                               : value);
   }
   return grid;
 }
@@ -68,20 +67,18 @@ TEST(rings_end_with_the_distances_and_a_cutoff_thins) {
 // that it is no row of dashes.
 TEST(thin_lines_at_slanted_edges_are_even) {
   const DistanceGrid grid(samples, kSide, kSide, 0);
-  for (int32_t y = 0; y < kSide; ++y) {
-    for (int32_t x = 0; x < kSide; ++x) {
-      const int32_t value = (x - 24) * 30 + (y - 24) * 11;
-      samples[y * kSide + x] = static_cast<int8_t>(value < -128  ? -128
-                                                   : value > 127 ? 127
-                                                                 : value);
-    }
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    const int32_t value = (x - 24) * 30 + (y - 24) * 11;
+    samples[y * kSide + x] = static_cast<int8_t>(value < -128  ? -128
+                                                 : value > 127 ? 127
+                                                               : value);
   }
   PrintLook look;
   look.style = PrintStyle::rings;
   look.contrast = 0;
   look.tone = 16;  // of 256: half a pixel
-  look.pitch = Q26_6::from_int(8);
-  look.shift = Q26_6::from_int(2);
+  look.pitch = 8_px;
+  look.shift = 2_px;
   Picture<kSide, kSide> picture;
   draw_print(grid, look, 0, 0, kFilterText, picture.sink());
   int32_t least = 255;
@@ -109,11 +106,9 @@ TEST(lines_turn_about_a_place) {
   look.screen = from_degrees(270);
   Picture<kSide, kSide> turned;
   draw_print(grid, look, 0, 0, kFilterText, turned.sink());
-  for (int32_t y = kInside.y0; y < kInside.y1; ++y) {
-    for (int32_t x = kInside.x0; x < kInside.x1; ++x) {
-      const int32_t change = upright.at(x, y) - turned.at(x, y);
-      CHECK(change >= -2 && change <= 2);
-    }
+  for (const auto [x, y] : pixels_of(kInside)) {
+    const int32_t change = upright.at(x, y) - turned.at(x, y);
+    CHECK(change >= -2 && change <= 2);
   }
 }
 
@@ -121,8 +116,8 @@ TEST(flat_places_take_ink_by_their_tone) {
   const DistanceGrid grid = square();
   PrintLook look;
   look.contrast = 0;
-  look.slope = Q26_6::from_int(1);
-  look.pitch = Q26_6::from_int(5);
+  look.slope = 1_px;
+  look.pitch = 5_px;
   constexpr Rect kInside = {9, 9, kSide - 9, kSide - 9};
   constexpr PrintStyle kTrue[] = {PrintStyle::engraving, PrintStyle::halftone,
                                   PrintStyle::relief};
@@ -195,29 +190,27 @@ TEST(strips_of_prints_are_parts_of_them) {
 
 TEST(any_look_of_any_grid_is_safe) {
   Random random(5);
-  const auto any = [&random] { return static_cast<int32_t>(random.next()); };
   for (int32_t round = 0; round < 400; ++round) {
-    for (int8_t& sample : samples) {
-      sample = static_cast<int8_t>(random.byte());
-    }
+    random.fill(samples);
     const DistanceGrid grid(samples, random.between(1, kSide),
                             random.between(1, kSide), random.between(0, 3));
     PrintLook look;
     look.style = static_cast<PrintStyle>(random.below(7));
-    look.light.raw = static_cast<uint16_t>(random.next());
-    look.screen.raw = static_cast<uint16_t>(random.next());
-    look.pitch.raw = any();
-    look.slope.raw = any();
-    look.shift.raw = any();
-    look.screen_x = static_cast<int16_t>(random.next());
-    look.screen_y = static_cast<int16_t>(random.next());
-    look.cutoff.raw = any();
-    look.tone = static_cast<uint8_t>(random.byte());
-    look.contrast = static_cast<uint8_t>(random.byte());
+    look.light.raw = random.any();
+    look.screen.raw = random.any();
+    look.pitch.raw = random.any();
+    look.slope.raw = random.any();
+    look.shift.raw = random.any();
+    look.screen_x = random.any();
+    look.screen_y = random.any();
+    look.cutoff.raw = random.any();
+    look.tone = random.any();
+    look.contrast = random.any();
     Picture<16, 4> picture(random.between(-9, 40), random.between(-9, 40));
     draw_print(grid, look, random.between(-20, 20), random.between(-20, 20),
                kFilterMotion, picture.sink());
-    draw_print(grid, look, any(), any(), kFilterMotion, picture.sink());
+    draw_print(grid, look, random.any(), random.any(), kFilterMotion,
+               picture.sink());
   }
 }
 

@@ -7,6 +7,7 @@
 #include "effect_canvas.hpp"
 #include "effect_glyph.hpp"
 #include "font_builder.hpp"
+#include "ink.hpp"
 #include "inkcell/field/cell.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
@@ -14,14 +15,7 @@
 namespace {
 
 using namespace inkcell;
-using effect::check_windows;
-using effect::draw;
-using effect::field_of;
-using effect::kAll;
-using effect::kSide;
-using effect::picture;
-using effect::style_of;
-using effect::whole;
+using namespace effect;
 
 // Px to the em where the cells of shapes, 64 u wide, are splatted.
 constexpr int32_t kSizes[] = {6, 9, 15, 20};
@@ -196,16 +190,13 @@ TEST(windows_and_sums_do_not_change_the_picture) {
 }
 
 TEST(any_cells_are_drawn_in_the_window) {
-  font_builder::Record& record = effect::glyph_record;
-  for (Rounds rounds(7, 60); rounds.next();) {
-    Random& random = rounds.random;
-    const int32_t round = rounds.number;
+  font_builder::Record& record = glyph_record;
+  Rounds rounds(7, 60);
+  for (Random& random : rounds) {
     make_any(record, random);
-    GlyphField field;
-    CHECK(record.size() <= sizeof(effect::glyph_bytes));
-    record.write(effect::glyph_bytes);
-    CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
-    Style style = style_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
+    const GlyphField field = open_glyph();
+    Style style =
+        style_of(random.between(4 * 64, 90 * 64), rounds.number % 2 != 0);
     const Splat splat =
         splat_of(kMinSplatSums + random.below(300),
                  Q6_10::from_raw(static_cast<int16_t>(random.between(
@@ -234,7 +225,7 @@ TEST(radii_are_clamped_and_few_sums_refused) {
 // A buffer that is narrower than a row of the glyph.
 TEST(glyphs_may_be_wider_than_the_sums) {
   constexpr int32_t kWidth = 200;
-  font_builder::Record& record = effect::glyph_record;
+  font_builder::Record& record = glyph_record;
   record.reset();
   record.tile_log2 = 11;
   record.tiles_x = 14;
@@ -245,31 +236,18 @@ TEST(glyphs_may_be_wider_than_the_sums) {
   for (uint32_t i = 0; i < record.reference_count; ++i) {
     record.references[i] = format::glyph::kInside;
   }
-  record.write(effect::glyph_bytes);
-  GlyphField wide;
-  CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, wide));
+  const GlyphField wide = open_glyph();
   Style style = style_of(20 * 64, false);
   const Splat splat = splat_of(kMinSplatSums);
   style.set_effect(splat);
-  int32_t sum = 0;
-  const Sink sink = {{0, 0, kWidth, 10},
-                     &sum,
-                     [](void* context, int32_t, int32_t,
-                        const uint8_t* coverage, int32_t count) {
-                       for (int32_t i = 0; i < count; ++i) {
-                         *static_cast<int32_t*>(context) += coverage[i];
-                       }
-                     },
-                     [](void* context, int32_t, int32_t, int32_t count) {
-                       *static_cast<int32_t*>(context) += 255 * count;
-                     }};
-  draw_field(wide, style, {250 * 1024, 9 * 1024}, sink);
-  CHECK_EQ(sum, 255 * kWidth * 9);
+  Ink ink;
+  draw_field(wide, style, {250 * 1024, 9 * 1024}, ink.sink({0, 0, kWidth, 10}));
+  CHECK_EQ(ink.sum, 255 * kWidth * 9);
 }
 
 TEST(small_tiles_look_like_larger_ones) {
   for (uint32_t log2 = 6; log2 >= 5; --log2) {
-    font_builder::Record& record = effect::glyph_record;
+    font_builder::Record& record = glyph_record;
     record.reset();
     record.tile_log2 = static_cast<uint8_t>(log2);
     record.tiles_x = record.tiles_y = static_cast<uint8_t>(512 >> log2);
@@ -282,10 +260,7 @@ TEST(small_tiles_look_like_larger_ones) {
       record.references[i] =
           (x + y) % 3 != 0 ? format::glyph::kInside : format::glyph::kOutside;
     }
-    CHECK(record.size() <= sizeof effect::glyph_bytes);
-    record.write(effect::glyph_bytes);
-    GlyphField field;
-    CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
+    const GlyphField field = open_glyph();
     Style style = style_of(4 * 64, false);
     const Splat splat = splat_of();
     style.set_effect(splat);

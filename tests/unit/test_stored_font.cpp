@@ -12,6 +12,7 @@
 #include "inkcell/stroke.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
+#include "pixels.hpp"
 #include "random.hpp"
 #include "stored_disk.hpp"
 
@@ -43,7 +44,7 @@ constexpr bool kBoth[] = {false, true};
 constexpr int32_t kSizes[] = {9, 14, 24};
 constexpr size_t kBlockCounts[] = {1, 2, 3, 6, kMostBlocks};
 
-constexpr Point kPen = {Q26_6::from_int(3), Q26_6::from_int(30)};
+constexpr Point kPen = {3, 30};
 
 void draw_glyph(const Font& font,
                 const Style& style,
@@ -113,7 +114,7 @@ void compare(const Font& mapped,
     CHECK(picture_a == picture_b);
     const Rect a = Painter().glyph_box(mapped, mapped_style, kPen, from);
     const Rect b = Painter().glyph_box(stored, stored_style, kPen, to);
-    CHECK(a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1);
+    CHECK(is_same(a, b));
   }
 }
 
@@ -124,7 +125,7 @@ TEST(a_glyph_takes_three_reads_and_one_block) {
   const StoredFont stored = open_disk(disk, 1);
   CHECK_EQ(stored.stats().blocks, 1u);
   const Font& font = stored.font();
-  const Style style(Q26_6::from_int(20));
+  const Style style(20_px);
   uint32_t most = 0;
   for (uint32_t n = 0; n < disk.characters; n += 997) {
     const uint32_t before = disk.reads;
@@ -222,7 +223,7 @@ TEST(caches_layouts_and_fallbacks_take_stored_fonts) {
   const Font mapped = mapped_font();
   const StoredFont stored = open_disk(disk, 2);
   const Font copy = stored.font();
-  const Style style(Q26_6::from_int(12));
+  const Style style(12_px);
   alignas(8) static uint8_t cached[2048];
   for (const bool is_cached : kBoth) {
     for (const bool is_fallback : kBoth) {
@@ -241,12 +242,11 @@ TEST(caches_layouts_and_fallbacks_take_stored_fonts) {
           options.fallback = {&face, 1};
         }
         TextLine line;
-        Point at = {Q26_6::from_int(2), Q26_6::from_int(12)};
-        while (next_line(options, {}, text, Q26_6::from_int(60), line)) {
+        Point at = {2, 12};
+        while (next_line(options, {}, text, 60_px, line)) {
           PositionedGlyph room[16];
           Span<const PositionedGlyph> glyphs;
-          CHECK_OK(lay_out(options, {}, text, line, Q26_6::from_int(60), room,
-                           glyphs));
+          CHECK_OK(lay_out(options, {}, text, line, 60_px, room, glyphs));
           painter.glyphs(options.face, options.fallback, at, glyphs);
           at.y.raw += 14 * 64;
         }
@@ -279,7 +279,7 @@ TEST(a_page_of_text_is_read_once) {
     Disk disk;
     const StoredFont stored = open_disk(disk, blocks);
     const uint32_t before = disk.reads;
-    const Style style(Q26_6::from_int(12));
+    const Style style(12_px);
     picture_a.clear();
     const Sink sink = picture_a.sink();
     const LayoutOptions options(stored.font(), style);
@@ -319,7 +319,7 @@ TEST(a_line_is_read_once_with_blocks_for_glyphs_and_index) {
     const uint32_t blocks = count + count + 1;
     const StoredFont stored = open_disk(disk, blocks);
     const uint32_t before = disk.reads;
-    const Style style(Q26_6::from_int(12));
+    const Style style(12_px);
     const Sink sink = picture_a.sink();
     Painter(sink).text(stored.font(), style, kPen, Text(text, 3 * count));
     CHECK_EQ(disk.reads - before, blocks);
@@ -371,7 +371,7 @@ TEST(pairs_kern_by_one_block_more) {
 }
 
 TEST(reads_that_fail_give_notdef) {
-  const Style style(Q26_6::from_int(20));
+  const Style style(20_px);
   for (const bool is_short : kBoth) {
     for (uint32_t good = 1; good < 4; ++good) {
       Disk disk;

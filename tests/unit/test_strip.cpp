@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "inkcell/dirty_rects.hpp"
+#include "pixels.hpp"
 
 using namespace inkcell;
 
@@ -10,10 +11,7 @@ TEST(rectangles_intersect) {
   const Rect a = {0, 0, 10, 10};
   const Rect b = {5, -5, 15, 5};
   const Rect both = intersect(a, b);
-  CHECK_EQ(both.x0, 5);
-  CHECK_EQ(both.y0, 0);
-  CHECK_EQ(both.x1, 10);
-  CHECK_EQ(both.y1, 5);
+  CHECK(is_same(both, {5, 0, 10, 5}));
   CHECK(!is_empty(both));
   CHECK(is_empty(intersect(a, {10, 0, 20, 10})));
   CHECK(is_empty(intersect(a, {0, 10, 10, 20})));
@@ -28,17 +26,13 @@ TEST(rectangles_intersect) {
   CHECK_EQ(strip.rect().y1, 9);
 }
 
-bool equal(const Rect& a, const Rect& b) {
-  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
-}
-
 TEST(a_bounding_box_holds_both) {
   const Rect a = {0, 4, 10, 10};
-  CHECK(equal(bounding_box(a, {5, -5, 15, 5}), {0, -5, 15, 10}));
-  CHECK(equal(bounding_box(a, {-3, 5, 2, 12}), {-3, 4, 10, 12}));
+  CHECK(is_same(bounding_box(a, {5, -5, 15, 5}), {0, -5, 15, 10}));
+  CHECK(is_same(bounding_box(a, {-3, 5, 2, 12}), {-3, 4, 10, 12}));
   // An empty one adds nothing, wherever it lies.
-  CHECK(equal(bounding_box(a, {90, 90, 90, 95}), a));
-  CHECK(equal(bounding_box({90, 90, 95, 80}, a), a));
+  CHECK(is_same(bounding_box(a, {90, 90, 90, 95}), a));
+  CHECK(is_same(bounding_box({90, 90, 95, 80}, a), a));
 }
 
 constexpr Rect kScreen = {0, 0, 100, 100};
@@ -49,7 +43,7 @@ TEST(what_changed_is_cut_to_the_screen) {
   dirty.add({90, 90, 110, 120}, kScreen);
   dirty.add({100, 0, 120, 10}, kScreen);
   CHECK_EQ(dirty.rects().size, 1);
-  CHECK(equal(dirty.rects()[0], {90, 90, 100, 100}));
+  CHECK(is_same(dirty.rects()[0], {90, 90, 100, 100}));
   dirty.clear();
   CHECK_EQ(dirty.rects().size, 0);
 }
@@ -65,8 +59,8 @@ TEST(rectangles_that_are_close_become_one) {
   CHECK_EQ(dirty.rects().size, 2);
   int32_t found = 0;
   for (const Rect& rect : dirty.rects()) {
-    found += equal(rect, {0, 0, 12, 10}) ? 1 : 0;
-    found += equal(rect, {50, 50, 70, 60}) ? 2 : 0;
+    found += is_same(rect, {0, 0, 12, 10}) ? 1 : 0;
+    found += is_same(rect, {50, 50, 70, 60}) ? 2 : 0;
   }
   CHECK_EQ(found, 3);
   // Without room the pair that wastes least is merged.

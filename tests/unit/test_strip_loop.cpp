@@ -2,6 +2,7 @@
 #include "inkcell/port/strip_loop.hpp"
 
 #include "check.hpp"
+#include "pixels.hpp"
 
 namespace {
 
@@ -54,11 +55,9 @@ struct Screen {
     CHECK_EQ(strip.stride, strip.width);
     CHECK_EQ(strip.pixels.size, strip.width * strip.height);
     screen.drawn = strip.pixels.data;
-    for (int32_t y = 0; y < strip.height; ++y) {
-      for (int32_t x = 0; x < strip.width; ++x) {
-        strip.pixels[static_cast<size_t>(y * strip.stride + x)] =
-            pixel_at(strip.x0 + x, strip.y0 + y);
-      }
+    for (const auto [x, y] : pixels_of(strip.width, strip.height)) {
+      strip.pixels[static_cast<size_t>(y * strip.stride + x)] =
+          pixel_at(strip.x0 + x, strip.y0 + y);
     }
     return screen.note('d');
   }
@@ -86,11 +85,9 @@ struct Screen {
 
   void finish() {
     const Strip& strip = sending;
-    for (int32_t y = 0; y < strip.height; ++y) {
-      for (int32_t x = 0; x < strip.width; ++x) {
-        pixels[strip.y0 + y][strip.x0 + x] =
-            strip.pixels[static_cast<size_t>(y * strip.stride + x)];
-      }
+    for (const auto [x, y] : pixels_of(strip.width, strip.height)) {
+      pixels[strip.y0 + y][strip.x0 + x] =
+          strip.pixels[static_cast<size_t>(y * strip.stride + x)];
     }
     is_sending = false;
   }
@@ -125,12 +122,8 @@ struct Screen {
   }
 
   void check_shown(const Rect& part) const {
-    for (int32_t y = 0; y < kHeight && !check::failed(); ++y) {
-      for (int32_t x = 0; x < kWidth; ++x) {
-        const bool in =
-            x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
-        CHECK_EQ(pixels[y][x], in ? pixel_at(x, y) : kUnsent);
-      }
+    for (const auto [x, y] : pixels_of(kWidth, kHeight)) {
+      CHECK_EQ(pixels[y][x], holds(part, x, y) ? pixel_at(x, y) : kUnsent);
     }
   }
 };
@@ -210,27 +203,28 @@ struct Window {
     return Status::ok;
   }
   static Status flush(void*, const Strip&) { return Status::ok; }
+
+  StripLoop loop(PixelFormat format, int32_t width, int32_t height) {
+    StripLoop loop;
+    loop.buffer = buffers[0];
+    loop.format = format;
+    loop.width = width;
+    loop.height = height;
+    loop.context = this;
+    loop.draw = draw;
+    loop.flush = flush;
+    return loop;
+  }
 };
 
 void check_window(PixelFormat format, const Rect& part, const Rect& expected) {
   Window window;
-  StripLoop loop;
-  loop.buffer = buffers[0];
-  loop.format = format;
+  StripLoop loop = window.loop(format, 61, 43);
   loop.order = ByteOrder::high_first;
-  loop.width = 61;
-  loop.height = 43;
-  loop.context = &window;
-  loop.draw = Window::draw;
-  loop.flush = Window::flush;
   CHECK_OK(run_strips(loop, part));
   CHECK_EQ(window.count, 1);
   const Strip& strip = window.strip;
-  const Rect rect = strip.rect();
-  CHECK_EQ(rect.x0, expected.x0);
-  CHECK_EQ(rect.y0, expected.y0);
-  CHECK_EQ(rect.x1, expected.x1);
-  CHECK_EQ(rect.y1, expected.y1);
+  CHECK(is_same(strip.rect(), expected));
   CHECK_EQ(strip.stride, stride_bytes(format, strip.width));
   CHECK_EQ(strip.pixels.size, strip_bytes(format, strip.width, strip.height));
   CHECK(strip.order == ByteOrder::high_first);
@@ -325,14 +319,8 @@ TEST(a_buffer_holds_a_row_or_a_page) {
   CHECK(screen.made("dfdwfw"));
   // A page of 8 rows takes one stride, also where the screen ends in it.
   Window window;
-  StripLoop pages;
-  pages.buffer = {buffers[0], 23};
-  pages.format = PixelFormat::mono_pages;
-  pages.width = 24;
-  pages.height = 10;
-  pages.context = &window;
-  pages.draw = Window::draw;
-  pages.flush = Window::flush;
+  StripLoop pages = window.loop(PixelFormat::mono_pages, 24, 10);
+  pages.buffer.size = 23;
   CHECK_EQ(run_strips(pages), Status::buffer_small);
   pages.buffer.size = 24;
   CHECK_OK(run_strips(pages));
@@ -345,14 +333,7 @@ TEST(a_buffer_holds_a_row_or_a_page) {
 
 TEST(screens_have_up_to_32767_rows_and_columns) {
   Window window;
-  StripLoop loop;
-  loop.buffer = {buffers[0], 320};
-  loop.format = PixelFormat::mono_rows;
-  loop.width = 32;
-  loop.height = 32767;
-  loop.context = &window;
-  loop.draw = Window::draw;
-  loop.flush = Window::flush;
+  StripLoop loop = window.loop(PixelFormat::mono_rows, 32, 32767);
   CHECK_OK(run_strips(loop));
   CHECK_EQ(window.count, 410);
   CHECK_EQ(window.strip.y0 + window.strip.height, 32767);

@@ -81,8 +81,7 @@ size_t encode(uint32_t code_point, char* out) {
 }
 
 Style style_of(int32_t px) {
-  Style style(Q26_6::from_int(px), kFilterText);
-  return style;
+  return Style(Q26_6::from_int(px), kFilterText);
 }
 
 }  // namespace
@@ -348,8 +347,7 @@ TEST(lines_may_lie_anywhere) {
 TEST(lengths_in_px_round_to_the_nearest) {
   const Font font = sample();
   Random random(6);
-  const int32_t sizes[] = {4, 12, 17, 1024};
-  for (const int32_t px : sizes) {
+  for (const int32_t px : each_of({4, 12, 17, 1024})) {
     const Style style = style_of(px);
     for (int i = 0; i < 600; ++i) {
       const int32_t limit = (i & 1) != 0 ? 1 << 19 : 1 << 24;
@@ -496,8 +494,7 @@ TEST(positions_do_not_wrap) {
   const Point origin = {-355, 395};
   PositionedGlyph glyph;
   glyph.glyph = 2;
-  constexpr int32_t kPlaces[] = {0, 1 << 22, -(1 << 22)};
-  for (const int32_t x : kPlaces) {
+  for (const int32_t x : each_of({0, 1 << 22, -(1 << 22)})) {
     glyph.x = x;
     Ink ink;
     const Sink sink = ink.sink({0, 0, 40, 40});
@@ -513,8 +510,7 @@ TEST(positions_do_not_wrap) {
 TEST(far_positions_are_harmless) {
   const Font font = sample();
   const int32_t ends[] = {INT32_MIN, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX};
-  const int32_t sizes[] = {4, 1024};
-  for (const int32_t px : sizes) {
+  for (const int32_t px : each_of({4, 1024})) {
     const Style style = style_of(px);
     for (const int32_t x : ends) {
       for (const int32_t y : ends) {

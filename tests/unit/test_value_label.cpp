@@ -12,11 +12,13 @@
 #include "inkcell/port/strip_loop.hpp"
 #include "inkcell/stroke.hpp"
 #include "outline_font.hpp"
+#include "pixels.hpp"
 
 namespace {
 
 using namespace inkcell;
-using outline_record::sample_font;
+
+const Font& font = outline_record::sample_font();
 
 constexpr int32_t kWidth = 120;
 constexpr int32_t kHeight = 50;
@@ -31,11 +33,9 @@ struct Screen {
   static Status draw(void* context, const Strip& strip) {
     const auto& screen = *static_cast<const Screen*>(context);
     // A picture.
-    for (int32_t y = 0; y < strip.height; ++y) {
-      for (int32_t x = 0; x < strip.width; ++x) {
-        strip.pixels[static_cast<size_t>(y * strip.stride + x)] =
-            static_cast<uint8_t>((strip.x0 + x) * 5 ^ (strip.y0 + y) * 3);
-      }
+    for (const auto [x, y] : pixels_of(strip.width, strip.height)) {
+      strip.pixels[static_cast<size_t>(y * strip.stride + x)] =
+          static_cast<uint8_t>((strip.x0 + x) * 5 ^ (strip.y0 + y) * 3);
     }
     const port::Grey8Canvas canvas(strip);
     screen.value.draw(canvas);
@@ -43,11 +43,9 @@ struct Screen {
   }
   static Status flush(void* display, const Strip& strip) {
     auto& screen = *static_cast<Screen*>(display);
-    for (int32_t y = 0; y < strip.height; ++y) {
-      for (int32_t x = 0; x < strip.width; ++x) {
-        screen.pixels[strip.y0 + y][strip.x0 + x] =
-            strip.pixels[static_cast<size_t>(y * strip.stride + x)];
-      }
+    for (const auto [x, y] : pixels_of(strip.width, strip.height)) {
+      screen.pixels[strip.y0 + y][strip.x0 + x] =
+          strip.pixels[static_cast<size_t>(y * strip.stride + x)];
     }
     screen.sent += strip.width * strip.height;
     return Status::ok;
@@ -76,7 +74,7 @@ bool are_equal() {
   return __builtin_memcmp(screens[0], screens[1], sizeof screens[0]) == 0;
 }
 
-void check_changes(const Font& font, const Style& style, Anchor anchor) {
+void check_changes(const Style& style, Anchor anchor) {
   constexpr const char* kTexts[] = {"AD", "FADE", "D", "", "EAF"};
   ValueLabel value(font, style, {60, 34}, anchor);
   show(value, 0, kAll);
@@ -104,25 +102,23 @@ TEST(a_value_without_a_font_shows_nothing) {
 }
 
 TEST(a_change_makes_the_screen_of_a_full_redraw) {
-  const Font font = sample_font();
   Style style(20_px);
-  check_changes(font, style, Anchor::left);
-  check_changes(font, style, Anchor::centre);
-  check_changes(font, style, Anchor::right);
+  check_changes(style, Anchor::left);
+  check_changes(style, Anchor::centre);
+  check_changes(style, Anchor::right);
   const Stroke stroke(kFilterText, Q6_10::from_int(2));
   style.set_effect(stroke);
-  check_changes(font, style, Anchor::right);
+  check_changes(style, Anchor::right);
   Style small(12_px);
   FitOptions options;
   options.across = true;
   Fit fit;
   CHECK_OK(Fit::make(font, small, options, fit));
   small.set_fit(fit);
-  check_changes(font, small, Anchor::right);
+  check_changes(small, Anchor::right);
 }
 
 TEST(values_stand_at_their_anchor) {
-  const Font font = sample_font();
   const Style style(20_px);
   const int32_t width = Painter().measure(font, style, "AD").advance.raw;
   struct {
@@ -135,9 +131,8 @@ TEST(values_stand_at_their_anchor) {
     const Rect changed = value.set("AD", {});
     const Rect box = Painter().box(
         font, style, {Q26_6::from_raw(60 * 64 - at.left), 34_px}, "AD");
-    CHECK_EQ(changed.x0, box.x0);
-    CHECK_EQ(changed.x1, box.x1);
-    CHECK_EQ(value.box().y0, box.y0);
+    CHECK(is_same(changed, box));
+    CHECK(is_same(value.box(), box));
   }
 }
 
@@ -153,19 +148,18 @@ TEST(a_number_and_its_unit_are_one_value) {
   alignas(4) static uint8_t font_bytes[512];
   const size_t size =
       outline_record::build_outline_font({glyphs, 4}, 0, kNine, font_bytes);
-  Font font;
-  CHECK_OK(Font::open({font_bytes, size}, font));
+  Font digits;
+  CHECK_OK(Font::open({font_bytes, size}, digits));
   const Style style(16_px);
-  ValueLabel value(font, style, {110, 34}, Anchor::right);
+  ValueLabel value(digits, style, {110, 34}, Anchor::right);
   show(value, 0, kAll);
   const Rect unit = Painter().box(
-      font, style,
+      digits, style,
       {Q26_6::from_raw(110 * 64 -
-                       Painter().measure(font, style, ":;").advance.raw),
+                       Painter().measure(digits, style, ":;").advance.raw),
        34_px},
       ":;");
-  constexpr int32_t kValues[] = {9, 999999, 99};
-  for (const int32_t number : kValues) {
+  for (const int32_t number : each_of({9, 999999, 99})) {
     show(value, 0, value.set(NumberText(number).with_unit(":;"), {}));
     show(value, 1, kAll);
     CHECK(are_equal());
@@ -177,15 +171,15 @@ TEST(a_number_and_its_unit_are_one_value) {
 // On canvases of 1 and 2 bits, whose painters fit text: as with the style that
 // the canvas makes, by its advances.
 template <typename Canvas>
-void check_fitted_anchors(const Font& font, int32_t stride) {
+void check_fitted_anchors(int32_t stride) {
   uint8_t* const pages[] = {screens[0][0], screens[1][0]};
   const Style open(13_px);
   const Style fitted = Canvas::style(13_px);
   constexpr const char* kText = "DADEFADA";
   const int32_t width = Painter().measure(font, fitted, kText).advance.raw;
   CHECK(width != Painter().measure(font, open, kText).advance.raw);
-  constexpr Anchor kAnchors[] = {Anchor::left, Anchor::centre, Anchor::right};
-  for (const Anchor anchor : kAnchors) {
+  for (const Anchor anchor :
+       each_of({Anchor::left, Anchor::centre, Anchor::right})) {
     __builtin_memset(screens, 0, sizeof screens);
     const auto canvas = [stride](uint8_t* page) {
       return Canvas({{page, sizeof screens[0]}, 0, 0, kWidth, 48, stride});
@@ -200,22 +194,17 @@ void check_fitted_anchors(const Font& font, int32_t stride) {
     Painter(canvas(pages[1])).text(font, fitted, at, kText);
     CHECK(are_equal());
     const Rect box = Painter().box(font, fitted, at, kText);
-    CHECK_EQ(changed.x0, box.x0);
-    CHECK_EQ(changed.x1, box.x1);
-    CHECK_EQ(changed.y0, box.y0);
-    CHECK_EQ(changed.y1, box.y1);
+    CHECK(is_same(changed, box));
   }
 }
 
 TEST(fitted_values_stand_at_their_anchor) {
-  const Font font = sample_font();
-  check_fitted_anchors<port::MonoPagesCanvas>(font, kWidth);
-  check_fitted_anchors<port::MonoRowsCanvas>(font, kWidth / 8);
-  check_fitted_anchors<port::Grey2Canvas>(font, kWidth / 4);
+  check_fitted_anchors<port::MonoPagesCanvas>(kWidth);
+  check_fitted_anchors<port::MonoRowsCanvas>(kWidth / 8);
+  check_fitted_anchors<port::Grey2Canvas>(kWidth / 4);
 }
 
 TEST(nothing_changes_if_the_text_is_the_same) {
-  const Font font = sample_font();
   const Style style(20_px);
   ValueLabel value(font, style, {10, 30});
   CHECK(is_empty(value.set("", {})));
@@ -228,7 +217,6 @@ TEST(nothing_changes_if_the_text_is_the_same) {
 }
 
 TEST(long_texts_are_cut_after_a_character) {
-  const Font font = sample_font();
   const Style style(20_px);
   ValueLabel value(font, style, {10, 30});
   TextReport report;

@@ -66,29 +66,27 @@ TEST(finds_wrong_kerning) {
   constexpr uint32_t kMembers = format::kerning::kBytes;  // glyph, left, right
   constexpr uint32_t kStarts = kMembers + 5 * 3;          // 0, 1, 3
   constexpr uint32_t kPairs = kStarts + 3 * 2;            // right class, value
-  struct Case {
+  const struct {
     uint32_t at;
     uint8_t value;
     Status expected;
-  };
-  const Case cases[] = {
-      {kMembers + 3 * 2, 1, Status::corrupt},  // glyph 1 twice
-      {kMembers + 3 * 4, 5, Status::corrupt},  // of five
-      {kMembers + 3 * 2 + 1, 2, Status::ok},   // left class
-      {kMembers + 3 * 2 + 1, 3, Status::corrupt},
-      {kMembers + 3 * 2 + 2, 3, Status::ok},  // right class
-      {kMembers + 3 * 2 + 2, 4, Status::corrupt},
-      {kStarts, 1, Status::corrupt},
-      {kStarts + 2, 0, Status::corrupt},  // 3, 1, 3 in one row
-      {kStarts + 2, 4, Status::corrupt},
-      {kStarts + 4, 2, Status::corrupt},  // a pair without row
-      {kStarts + 4, 4, Status::corrupt},
-      {kPairs, 0, Status::corrupt},
-      {kPairs, 3, Status::ok},
-      {kPairs, 4, Status::corrupt},
-      {kPairs + 3, 3, Status::corrupt},  // the same twice in row 2
-      {kPairs + 3, 2, Status::ok}};
-  for (const Case& c : cases) {
+  } cases[] = {{kMembers + 3 * 2, 1, Status::corrupt},  // glyph 1 twice
+               {kMembers + 3 * 4, 5, Status::corrupt},  // of five
+               {kMembers + 3 * 2 + 1, 2, Status::ok},   // left class
+               {kMembers + 3 * 2 + 1, 3, Status::corrupt},
+               {kMembers + 3 * 2 + 2, 3, Status::ok},  // right class
+               {kMembers + 3 * 2 + 2, 4, Status::corrupt},
+               {kStarts, 1, Status::corrupt},
+               {kStarts + 2, 0, Status::corrupt},  // 3, 1, 3 in one row
+               {kStarts + 2, 4, Status::corrupt},
+               {kStarts + 4, 2, Status::corrupt},  // a pair without row
+               {kStarts + 4, 4, Status::corrupt},
+               {kPairs, 0, Status::corrupt},
+               {kPairs, 3, Status::ok},
+               {kPairs, 4, Status::corrupt},
+               {kPairs + 3, 3, Status::corrupt},  // the same twice in row 2
+               {kPairs + 3, 2, Status::ok}};
+  for (const auto& c : cases) {
     const Font font = sample();
     bytes_of(font, section::kKerning)[c.at] = c.value;
     CHECK_EQ(verify_changed(), c.expected);
@@ -97,22 +95,20 @@ TEST(finds_wrong_kerning) {
 
 // One bit more than the widest, in sections that reach to the end of the font.
 TEST(finds_numbers_that_are_too_wide) {
-  struct Case {
+  const struct {
     uint32_t tag;
     uint32_t at;
     uint8_t value;
-  };
-  const Case cases[] = {
-      {section::kMetrics, format::metrics::kColumnBits, 17},
-      {section::kMetrics, format::metrics::kColumnBits + 4, 17},
-      {section::kKerning, format::kerning::kGlyphBits, 17},
-      {section::kKerning, format::kerning::kLeftBits, 17},
-      {section::kKerning, format::kerning::kRightBits, 17},
-      {section::kKerning, format::kerning::kValueBits, 17},
-      {section::kKerning, format::kerning::kStartBits, 26},
-      {section::kGlyphs, format::glyphs::kOffsetBits, 26},
-      {section::kGlyphs, format::glyphs::kUnitLog2, 8}};
-  for (const Case& c : cases) {
+  } cases[] = {{section::kMetrics, format::metrics::kColumnBits, 17},
+               {section::kMetrics, format::metrics::kColumnBits + 4, 17},
+               {section::kKerning, format::kerning::kGlyphBits, 17},
+               {section::kKerning, format::kerning::kLeftBits, 17},
+               {section::kKerning, format::kerning::kRightBits, 17},
+               {section::kKerning, format::kerning::kValueBits, 17},
+               {section::kKerning, format::kerning::kStartBits, 26},
+               {section::kGlyphs, format::glyphs::kOffsetBits, 26},
+               {section::kGlyphs, format::glyphs::kUnitLog2, 8}};
+  for (const auto& c : cases) {
     Font font = sample();
     uint8_t* const at = bytes_of(font, c.tag);
     uint8_t* entry = rom + format::header::kBytes;
@@ -174,13 +170,12 @@ TEST(finds_wrong_records) {
 TEST(finds_wrong_references) {
   const uint16_t nodes = 40;
   const uint16_t cells = 88;
-  struct Case {
+  // Children of node 1 are references 20 to 23.
+  const struct {
     uint32_t index;
     uint32_t reference;
     Status expected;
-  };
-  // Children of node 1 are references 20 to 23.
-  const Case cases[] = {
+  } cases[] = {
       {0, format::glyph::kInside, Status::ok},
       {0, format::glyph::kFirstNode + nodes - 1, Status::corrupt},  // not 1st
       {0, format::glyph::kFirstNode + nodes, Status::corrupt},
@@ -191,7 +186,7 @@ TEST(finds_wrong_references) {
       {20, format::glyph::kFirstNode + 2, Status::corrupt},  // its second
       {20, format::glyph::kFirstNode + 1, Status::corrupt},  // itself
       {23, format::glyph::kFirstNode, Status::corrupt}};     // its parent
-  for (const Case& c : cases) {
+  for (const auto& c : cases) {
     const Font font = sample();
     CHECK_EQ(get_u16(record_of(font, 2) + format::glyph::kNodeCount), nodes);
     CHECK_EQ(get_u16(record_of(font, 2) + format::glyph::kCellCount), cells);
