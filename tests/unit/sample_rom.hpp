@@ -38,10 +38,16 @@ inline Status reopen(Font* out = nullptr) {
   return status;
 }
 
-// What verify says of the changed font, which must open.
-inline Status verify_changed() {
+// The changed font, which must open.
+inline Font reopened() {
   Font font;
   CHECK_OK(reopen(&font));
+  return font;
+}
+
+// What verify says of it.
+inline Status verify_changed() {
+  const Font font = reopened();
   return font.has_outlines() ? font.verify() : verify_fields(font);
 }
 

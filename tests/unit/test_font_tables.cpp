@@ -52,18 +52,16 @@ TEST(code_points_are_found_on_pages) {
     }
   }
   spec.code_pages = pages;
-  struct Wrong {
+  const struct {
     size_t at;
     uint8_t value;
-  };
-  constexpr Wrong kWrong[] = {
-      {1, 0x11},               // a page behind the last one
-      {2, 0},    {2, 4},       // pages
-      {4, 0xf4}, {4, 0xf1},    // a glyph too many, and one below 0
-      {6, 15},   {8, 13},      // starts
-      {12, 17},  {12, 19},     // the end
-      {15, 0},   {16, 0x42}};  // code points
-  for (const Wrong& wrong : kWrong) {
+  } kWrong[] = {{1, 0x11},               // a page behind the last one
+                {2, 0},    {2, 4},       // pages
+                {4, 0xf4}, {4, 0xf1},    // a glyph too many, and one below 0
+                {6, 15},   {8, 13},      // starts
+                {12, 17},  {12, 19},     // the end
+                {15, 0},   {16, 0x42}};  // code points
+  for (const auto& wrong : kWrong) {
     const uint8_t right = pages[wrong.at];
     pages[wrong.at] = wrong.value;
     build(font);
@@ -89,9 +87,7 @@ TEST(advances_may_be_of_the_first_glyphs_only) {
       *to++ = rows[10 * glyph + i];
     }
   }
-  CHECK_OK(reopen());
-  Font font;
-  CHECK_OK(open_any_font({rom, rom_bytes}, font));
+  const Font font = reopened();
   CHECK_OK(font.verify());
   CHECK_EQ(font.advance(1), 325);
   CHECK_EQ(font.advance(2), 25);
