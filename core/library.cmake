@@ -38,3 +38,22 @@ function(inkcell_join_folders target)
   target_compile_options(${target} PRIVATE
     -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
 endfunction()
+
+# inkcell_library(<name> <source>... [USES <target>...]
+#   [ALONE <folder>/<source>...]): inkcell_<name>, or inkcell::<name>, which runs
+# on the device. Its headers are in include/; it sees those of core's rooms, too.
+# ALONE: sources that inkcell_join_folders() leaves apart.
+function(inkcell_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;ALONE")
+  set(target inkcell_${name})
+  add_library(${target} STATIC ${arg_UNPARSED_ARGUMENTS})
+  add_library(inkcell::${name} ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_include_directories(${target}
+    PUBLIC include PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/src)
+  target_link_libraries(${target} PUBLIC ${arg_USES})
+  target_compile_options(${target} PRIVATE
+    -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics
+    -ffunction-sections -fdata-sections ${INKCELL_WARNINGS})
+  inkcell_join_folders(${target} ${arg_ALONE})
+endfunction()
