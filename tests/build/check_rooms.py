@@ -65,14 +65,16 @@ GENERATOR = {
     "app": "source target pipeline",
 }
 
-# Sources of core that are a part of a public header, linked apart.
+# Sources of core that are a part of another header, linked apart.
 OF_OTHER_HEADERS = {
     "core/src/font/code_points.cpp": "inkcell/font.hpp",
-    "core/src/rows/area_painter.cpp": "rows/band_kind.hpp",
-    "core/src/rows/distance_painter.cpp": "rows/band_kind.hpp",
-    "core/src/rows/wide_painter.cpp": "rows/band_kind.hpp",
-    "core/src/verify/morph_verify.cpp": "verify/verify_parts.hpp",
-    "core/src/verify/outline_verify.cpp": "verify/verify_parts.hpp",
+    "core/src/rows/area_painter.cpp": "rows/band.hpp",
+    "core/src/rows/distance_painter.cpp": "rows/band.hpp",
+    "core/src/rows/draw_bands.cpp": "rows/source.hpp",
+    "core/src/rows/edge_rows.cpp": "rows/band.hpp",
+    "core/src/rows/emit_band.cpp": "rows/band.hpp",
+    "core/src/rows/outline_fit.cpp": "rows/outline_source.hpp",
+    "core/src/rows/wide_painter.cpp": "rows/band.hpp",
     "core/src/verify/verify.cpp": "inkcell/font.hpp",
 }
 

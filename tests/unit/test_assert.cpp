@@ -13,7 +13,7 @@
 #include "inkcell/span.hpp"
 #include "outline_record.hpp"
 #include "place/style_parts.hpp"
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
 
 namespace {
 

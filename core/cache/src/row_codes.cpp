@@ -6,7 +6,7 @@
 #include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
 
 namespace inkcell::detail {
 namespace {

@@ -15,7 +15,7 @@
 #include "field_sampler.hpp"
 #include "inkcell/style.hpp"
 #include "place/position.hpp"
-#include "rows/band_kind.hpp"
+#include "rows/band.hpp"
 
 namespace inkcell::detail {
 

@@ -4,7 +4,7 @@
 #include "inkcell/few_levels.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
-#include "rows/draw_bands.hpp"
+#include "rows/source.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -12,7 +12,7 @@
 #include "base/math.hpp"
 #include "field_source.hpp"
 #include "inkcell/field/cell.hpp"
-#include "outlines/slant.hpp"
+#include "outlines/outline_glyph.hpp"
 #include "place/style_parts.hpp"
 
 namespace inkcell {

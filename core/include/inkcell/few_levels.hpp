@@ -32,7 +32,7 @@ inline constexpr FewLevels kTwoLevels{2};
 inline constexpr FewLevels kFourLevels{4};
 
 // For Sink::levels. Canvases name a rule by a weak reference, and codings whose
-// glyphs it changes bring its object: see band_kind.cpp.
+// glyphs it changes bring its object: see band.cpp.
 struct LevelRule {
   // Makes `room` the style that text is drawn with, and returns it; the given
   // one if that says it all.

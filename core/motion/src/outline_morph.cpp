@@ -10,7 +10,6 @@
 #include "morph_record.hpp"
 #include "morph_table.hpp"
 #include "outlines/outline_glyph.hpp"
-#include "rows/draw_bands.hpp"
 #include "rows/source.hpp"
 
 namespace inkcell::motion {

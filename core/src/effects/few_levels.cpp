@@ -15,7 +15,7 @@
 
 namespace inkcell {
 
-// Null where nothing draws outlines: see band_kind.cpp.
+// Null where nothing draws outlines: see band.cpp.
 extern __attribute__((weak)) const Fitter kFitTwoLevels;
 extern __attribute__((weak)) const Fitter kFitFourLevels;
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
 #include "rows/source.hpp"
 
 namespace inkcell::detail {

@@ -3,7 +3,7 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
 #include "rows/source.hpp"
 
 namespace inkcell::detail {

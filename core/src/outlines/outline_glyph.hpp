@@ -6,6 +6,7 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/mixer.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
@@ -23,6 +24,19 @@ struct OutlineMap {
     int32_t per_y;  // by a unit up
   };
   Axis axes[2];
+};
+
+// What drawing needs of a style that is not upright. Constructors of Style name
+// it, so that upright text does not link it.
+struct Slant {
+  // From the map of an upright style to that of this one. Returns whether it
+  // mirrors.
+  bool (*map)(const Style& style, OutlineMap& map) noexcept;
+  // From the origin along the baseline and up across it. [px, Q10]
+  FinePoint (*place)(const Style& style,
+                     const FinePoint& origin,
+                     int64_t along_q10,
+                     int64_t across_q10) noexcept;
 };
 
 // Reads records of simple outlines. Reads any bytes: beyond the record's end

@@ -17,7 +17,7 @@
 // winding number, whatever was rounded.
 //
 // Over 400 lines: one painter, whose loops are inlined into each other.
-#include "rows/band_kind.hpp"
+#include "rows/band.hpp"
 
 #include "base/math.hpp"
 #include "rows/contours.hpp"

@@ -1,6 +1,32 @@
+// What filters and mixers name.
+//
+// A painter of outlines is linked into programs that name a filter which takes
+// it, and that also open a font of outlines. Neither of the two is enough:
+//
+//   filter         --> BandKind          - weak -> painter
+//   kOutlineCoding --> outline_source.cpp ----------> the painter's object
+//
+// A weak reference takes no object from an archive, but keeps a function of one
+// that is there. The linker drops the functions that no filter keeps.
 #include "rows/band.hpp"
 
 namespace inkcell::detail {
+
+__attribute__((weak)) PaintPoints paint_areas;
+__attribute__((weak)) PaintPoints paint_crossings;
+__attribute__((weak)) PaintPoints paint_distances;
+__attribute__((weak)) PaintPoints paint_wide_distances;
+
+const BandKind kPixelRampBand = {paint_distances, cover_linear,
+                                 BandBytes::distance, true, 128};
+const BandKind kDistanceBand = {paint_distances, cover_filtered,
+                                BandBytes::distance, false, 128};
+const BandKind kWideDistanceBand = {paint_wide_distances, cover_filtered,
+                                    BandBytes::distance, false, 0};
+const BandKind kAreaBand = {paint_areas, cover_areas, BandBytes::area, false,
+                            128};
+const BandKind kCrossingBand = {paint_crossings, nullptr, BandBytes::crossings,
+                                false, 0};
 
 const ScreenPoint* skip_outside(const Band& band,
                                 const ScreenPoint* at,

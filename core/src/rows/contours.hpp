@@ -53,7 +53,7 @@ __attribute__((always_inline)) inline void cut_line(PixelPoint from,
 // A curve's subdivision is the visitor's own: areas move joints outwards so
 // that chords hold as much as the curve (area_painter.cpp), rows of distances
 // follow parabolas and halve only what bends back (distance_painter.cpp), wide
-// ones need tangents (wide_contours.hpp), and fields the fewest chords
+// ones need tangents (wide_painter.cpp), and fields the fewest chords
 // (polyline.cpp).
 template <typename Visitor>
 inline void walk_contours(const Band& band,

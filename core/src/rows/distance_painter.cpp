@@ -11,11 +11,10 @@
 // edges meet, at a corner or within a curve, the pixel nearest to that point is
 // painted as well; no other pixel is within half a pixel of it. So none is left
 // out between two edges, however much the contour turns.
-#include "rows/band_kind.hpp"
+#include "rows/band.hpp"
 
 #include "base/math.hpp"
 #include "rows/contours.hpp"
-#include "rows/edge_rows.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell::detail {

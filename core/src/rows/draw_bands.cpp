@@ -1,11 +1,10 @@
-#include "rows/draw_bands.hpp"
+// Draws any glyph: band by band, from a source into a sink.
+#include "rows/source.hpp"
 
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "place/style_parts.hpp"
-#include "rows/emit_band.hpp"
-#include "rows/source.hpp"
 
 namespace inkcell {
 namespace detail {

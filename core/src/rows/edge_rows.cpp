@@ -14,7 +14,7 @@
 // feet lie on the edge. Of those beyond, the end is the nearest point.
 //
 // Over 400 lines: one painter, whose loops are inlined into each other.
-#include "rows/edge_rows.hpp"
+#include "rows/band.hpp"
 
 #include "base/math.hpp"
 #include "rows/reciprocal.hpp"

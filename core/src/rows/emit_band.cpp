@@ -1,5 +1,5 @@
 // From painted rows to coverage, and into the sink.
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
 
 #include "base/math.hpp"
 #include "base/words.hpp"

@@ -1,7 +1,7 @@
 #include "inkcell/mixer.hpp"
 
-#include "rows/draw_bands.hpp"
-#include "rows/emit_band.hpp"
+#include "rows/band.hpp"
+#include "rows/source.hpp"
 
 namespace inkcell {
 namespace {

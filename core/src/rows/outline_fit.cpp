@@ -1,4 +1,5 @@
-#include "rows/outline_fit.hpp"
+// Grid fitting of outlines: points that give way to the grid of pixels.
+#include "rows/outline_source.hpp"
 
 #include "base/math.hpp"
 

@@ -5,8 +5,7 @@
 #include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
 #include "place/style_parts.hpp"
-#include "rows/band_kind.hpp"
-#include "rows/outline_fit.hpp"
+#include "rows/band.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -115,7 +114,7 @@ constexpr Source kOutlineSource = {prepare_outline, load_points, fill_band,
 
 }  // namespace
 
-// Name the objects of all painters, for band_kind.cpp, and of what fits
+// Name the objects of all painters, for band.cpp, and of what fits
 // outlines on canvases of few levels. Nobody reads them, so that the linker
 // drops them.
 extern const LevelRule* const kOutlineRules[];

@@ -22,6 +22,7 @@
 
 #include "base/math.hpp"
 #include "rows/band.hpp"
+#include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell::detail::wide {
@@ -288,26 +289,18 @@ void paint_chord(const Band& band,
                  const Tangent& after) noexcept {
   const int32_t dx = to.x - from.x;
   const int32_t dy = to.y - from.y;
-  const int32_t longest = max(abs(dx), abs(dy));
-  if (longest < kChordLimit) {
+  if (max(abs(dx), abs(dy)) < kChordLimit) {
     paint_short<Marks>(band, from, to, before, after);
     return;
   }
-  uint32_t halvings = 1;
-  while (longest >> halvings >= kChordLimit) {
-    ++halvings;
-  }
   const Tangent along = tangent_of(dx, dy);
-  PixelPoint at = from;
-  const int32_t count = 1 << halvings;
-  for (int32_t i = 1; i <= count; ++i) {
-    const PixelPoint next = i == count ? to
-                                       : PixelPoint{at.x + (dx >> halvings),
-                                                    at.y + (dy >> halvings)};
-    paint_short<Marks>(band, at, next, i == 1 ? before : along,
-                       i == count ? after : along);
-    at = next;
-  }
+  Tangent first = before;
+  cut_line(from, to, kChordLimit,
+           [&](const PixelPoint& at, const PixelPoint& next) noexcept {
+             const bool is_last = next.x == to.x && next.y == to.y;
+             paint_short<Marks>(band, at, next, first, is_last ? after : along);
+             first = along;
+           });
 }
 
 }  // namespace inkcell::detail::wide

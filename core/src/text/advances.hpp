@@ -4,9 +4,10 @@
 
 #include <stdint.h>
 
+#include "base/math.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/style.hpp"
-#include "rows/outline_fit.hpp"
+#include "rows/outline_source.hpp"
 
 namespace inkcell::detail {
 
@@ -18,10 +19,7 @@ inline constexpr int32_t kMaxUnits = 1 << 24;
 inline constexpr int32_t kMaxPx = 1 << 18;
 
 inline int32_t clamp_to(int64_t value, int32_t limit) noexcept {
-  if (value > limit) {
-    return limit;
-  }
-  return value < -limit ? -limit : static_cast<int32_t>(value);
+  return clamp_i64(value, -limit, limit);
 }
 
 // A font, a style, and its fitter if that has advances in whole pixels, or
@@ -34,7 +32,11 @@ class Advances {
   bool is_whole() const noexcept { return fitter_ != nullptr; }
   int32_t limit() const noexcept { return is_whole() ? kMaxPx : kMaxUnits; }
 
-  int32_t advance(uint16_t glyph) const noexcept;
+  // Not inline, like join() and to_units(), for their size.
+  __attribute__((noinline)) int32_t advance(uint16_t glyph) const noexcept {
+    return is_whole() ? fitter_->advance_px(font_, *style_, glyph)
+                      : font_.advance(glyph);
+  }
   // Between two glyphs. `drift_q6`: of OutlineFitter, 0 where a run begins.
   // Inline: one frame less on the deepest stack of layout.
   int32_t kerning(uint16_t left,
@@ -45,10 +47,18 @@ class Advances {
   }
 
   // Whole pixels between two glyphs.
-  int32_t join(const GlyphPair& pair, int32_t& drift_q6) const noexcept;
+  __attribute__((noinline)) int32_t join(const GlyphPair& pair,
+                                         int32_t& drift_q6) const noexcept {
+    return fitter_->outlines->join(font_, *style_, *fitter_, pair, drift_q6);
+  }
 
   // A sum of them in font units, to the nearest. At most limit() in magnitude.
-  int32_t to_units(int32_t sum) const noexcept;
+  __attribute__((noinline)) int32_t to_units(int32_t sum) const noexcept {
+    return !is_whole() ? sum
+                       : clamp_to(fitter_->outlines->to_units(
+                                      font_, style_->size(), sum),
+                                  kMaxUnits);
+  }
 
  private:
   const Font& font_;

@@ -3,9 +3,8 @@
 
 #include "base/math.hpp"
 #include "inkcell/assert.hpp"
-#include "rows/draw_bands.hpp"
+#include "rows/source.hpp"
 #include "text/glyph_run.hpp"
-#include "text/text_place.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -61,11 +60,7 @@ void Painter::text(const Font& font,
                    Text text) const noexcept {
   RunDrawer drawer(*this, font, style);
   TextCursor cursor(font, text, drawer.style(), report_);
-  drawer.begin(origin, cursor.is_in_whole_px());
-  PositionedGlyph at;
-  while (cursor.next(at)) {
-    drawer.draw(at);
-  }
+  drawer.draw_line(origin, cursor);
 }
 
 void Painter::glyphs(const Face& face,
@@ -139,16 +134,7 @@ Status Painter::lay_out(const Font& font,
   }
   detail::StyleRoom room;
   TextCursor cursor(font, text, adapted(style, room.style()), report_);
-  PositionedGlyph at;
-  size_t count = 0;
-  while (cursor.next(at)) {
-    if (count == out.size) {
-      return Status::buffer_small;
-    }
-    out[count++] = at;
-  }
-  glyphs = {out.data, count};
-  return Status::ok;
+  return detail::lay_out_line(cursor, out, glyphs);
 }
 
 Rect Painter::glyph_box(const Font& font,

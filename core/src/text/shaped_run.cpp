@@ -3,7 +3,6 @@
 #include "inkcell/painter.hpp"
 #include "text/advances.hpp"
 #include "text/glyph_run.hpp"
-#include "text/text_place.hpp"
 
 namespace inkcell {
 namespace {
@@ -12,11 +11,13 @@ using detail::Advances;
 using detail::clamp_to;
 using detail::kMaxUnits;
 
-// Walks a run from the left. `font` and the style must outlive it.
+// Walks a run from the left, as TextCursor walks text. `font`, the style and
+// the run must outlive it.
 class RunCursor {
  public:
   // With the advances of the style.
-  RunCursor(const Font& font, const Style& style) noexcept {
+  RunCursor(const Font& font, const Style& style, const ShapedRun& run) noexcept
+      : run_(run) {
     if (style.has_whole_advances()) {
       font_ = &font;
       style_ = &style;
@@ -25,21 +26,26 @@ class RunCursor {
 
   bool is_in_whole_px() const noexcept { return style_ != nullptr; }
 
-  // From one glyph of the run to the next.
-  void next(const ShapedGlyph& glyph, PositionedGlyph& at) noexcept {
+  // The next glyph; false: there is none.
+  bool next(PositionedGlyph& at) noexcept {
+    if (next_ == run_.glyphs.size) {
+      return false;
+    }
+    const ShapedGlyph& glyph = run_.glyphs[next_++];
     x_ = clamp_to(x_ + glyph.x, kMaxUnits);
     at.x = style_ == nullptr ? x_ : whole_x(glyph.glyph);
     at.y = glyph.y;
     at.glyph = glyph.glyph;
+    return true;
   }
 
-  // The width of a run of `units`, behind its last glyph. Not inline, likewise.
-  __attribute__((noinline)) int32_t advance(int32_t units) const noexcept {
+  // The width of the run, behind its last glyph. Not inline, likewise.
+  __attribute__((noinline)) int32_t advance() const noexcept {
     if (style_ == nullptr) {
-      return units;
+      return run_.advance;
     }
     RunCursor end = *this;
-    return advances().to_units(end.next_letter_px(units, letter_));
+    return advances().to_units(end.next_letter_px(run_.advance, letter_));
   }
 
  private:
@@ -84,6 +90,8 @@ class RunCursor {
     return static_cast<int32_t>((px_q10 + 512) >> 10);
   }
 
+  const ShapedRun& run_;
+  size_t next_ = 0;
   const Font* font_ = nullptr;
   const Style* style_ = nullptr;  // null: as designed
   int32_t x_ = 0;                 // of the glyph, as designed
@@ -102,13 +110,8 @@ void Painter::text(const Font& font,
                    Point origin,
                    const ShapedRun& run) const noexcept {
   detail::RunDrawer drawer(*this, font, style);
-  RunCursor cursor(font, drawer.style());
-  drawer.begin(origin, cursor.is_in_whole_px());
-  PositionedGlyph at;
-  for (const ShapedGlyph& next : run.glyphs) {
-    cursor.next(next, at);
-    drawer.draw(at);
-  }
+  RunCursor cursor(font, drawer.style(), run);
+  drawer.draw_line(origin, cursor);
 }
 
 Status Painter::lay_out(const Font& font,
@@ -116,36 +119,17 @@ Status Painter::lay_out(const Font& font,
                         const ShapedRun& run,
                         Span<PositionedGlyph> out,
                         Span<const PositionedGlyph>& glyphs) const noexcept {
-  if (out.size < run.glyphs.size) {
-    return Status::buffer_small;
-  }
   detail::StyleRoom room;
-  RunCursor cursor(font, adapted(style, room.style()));
-  PositionedGlyph at;
-  for (size_t i = 0; i < run.glyphs.size; ++i) {
-    cursor.next(run.glyphs[i], at);
-    out[i] = at;
-  }
-  glyphs = {out.data, run.glyphs.size};
-  return Status::ok;
+  RunCursor cursor(font, adapted(style, room.style()), run);
+  return detail::lay_out_line(cursor, out, glyphs);
 }
 
 PixelMeasure Painter::measure(const Font& font,
                               const Style& style,
                               const ShapedRun& run) const noexcept {
   detail::StyleRoom room;
-  RunCursor cursor(font, adapted(style, room.style()));
-  TextMeasure sum = detail::kNoInk;
-  PositionedGlyph at;
-  for (const ShapedGlyph& next : run.glyphs) {
-    cursor.next(next, at);
-    detail::add_ink(font, at, sum);
-  }
-  if (sum.x_max < sum.x_min) {
-    sum = {};
-  }
-  sum.advance = cursor.advance(run.advance);
-  return to_px(font, style, sum);
+  RunCursor cursor(font, adapted(style, room.style()), run);
+  return to_px(font, style, detail::measure_line(font, cursor));
 }
 
 }  // namespace inkcell

@@ -3,7 +3,7 @@
 #include "base/math.hpp"
 #include "inkcell/assert.hpp"
 #include "text/blank.hpp"
-#include "text/text_place.hpp"
+#include "text/glyph_run.hpp"
 
 namespace inkcell {
 namespace {
@@ -101,6 +101,15 @@ Text cut(Text text, size_t most) noexcept {
   return text;
 }
 
+bool detail::replace_missing(TextReport& report,
+                             const Font& font,
+                             uint32_t code_point,
+                             uint16_t& glyph) noexcept {
+  return report.find_instead(code_point, [&](uint32_t other) noexcept {
+    return font.glyph_of(other, glyph) == Status::ok;
+  });
+}
+
 bool needs_glyph(uint32_t code_point) noexcept {
   return detail::shown_as(code_point) == detail::Shown::glyph;
 }
@@ -154,16 +163,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
 }
 
 TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
-  TextMeasure sum = detail::kNoInk;
-  PositionedGlyph at;
-  while (cursor.next(at)) {
-    detail::add_ink(font, at, sum);
-  }
-  if (sum.x_max < sum.x_min) {
-    sum = {};
-  }
-  sum.advance = cursor.advance();
-  return sum;
+  return detail::measure_line(font, cursor);
 }
 
 Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {

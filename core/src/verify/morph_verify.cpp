@@ -1,5 +1,5 @@
 // Reads each record as a device would, without outlines.
-#include "verify/verify_parts.hpp"
+#include "verify/morph_verify.hpp"
 
 #include "base/bit_table.hpp"
 #include "base/bytes.hpp"

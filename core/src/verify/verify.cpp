@@ -6,14 +6,16 @@
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
+#include "outlines/component.hpp"
 #include "outlines/outline_glyph.hpp"
-#include "verify/verify_parts.hpp"
+#include "outlines/record_bits.hpp"
+#include "verify/morph_verify.hpp"
 
 namespace inkcell {
 namespace {
 
-using detail::load_u16;
-using detail::load_u32;
+using namespace detail;
+namespace word = format::outline;
 
 // Code points ascend without overlap, and every glyph exists.
 bool cmap_fits(Span<const uint8_t> cmap, uint32_t glyph_count) noexcept {
@@ -138,7 +140,7 @@ class KerningCheck {
     return true;
   }
 
-  detail::Kerning kerning_;
+  Kerning kerning_;
   uint32_t right_classes_ = 0;
 };
 
@@ -158,7 +160,7 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   if (width > format::bit_table::kMaxBits || unit_log2 > glyphs::kMaxUnitLog2) {
     return false;
   }
-  const detail::BitTable offsets = {&section, 8 * glyphs::kBytes, width};
+  const BitTable offsets = {&section, 8 * glyphs::kBytes, width};
   size_t least = glyphs::kBytes + (width * (glyph_count + 1) + 7) / 8;
   for (uint32_t i = 0; i <= glyph_count; ++i) {
     const uint32_t offset = offsets.get(i, 0, width) << unit_log2;
@@ -168,6 +170,105 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
     least = offset;
   }
   return true;
+}
+
+uint32_t entry(const OutlineCoding& coding, uint32_t i) noexcept {
+  return load_u16(coding.tables + 2 * i);
+}
+
+uint32_t kind_of(uint32_t code) noexcept {
+  return code >> word::kKindShift & word::kKindMask;
+}
+uint32_t width_of(uint32_t code) noexcept {
+  return (code >> word::kXBitsShift & word::kWidthMask) +
+         (code >> word::kYBitsShift & word::kWidthMask);
+}
+
+bool is_mirrored(const int32_t* matrix_q14) noexcept {
+  return int64_t{matrix_q14[0]} * matrix_q14[3] <=
+         int64_t{matrix_q14[1]} * matrix_q14[2];
+}
+
+// Points of a simple outline, ends of contours included; more than max_points
+// if it does not end. `bit` is set to where it ends.
+uint32_t count_points(Span<const uint8_t> record,
+                      const OutlineCoding& coding,
+                      uint32_t& bit) noexcept {
+  bit = 1;
+  uint32_t table = 0;
+  bool is_start = true;
+  for (uint32_t points = 1; points <= coding.max_points; ++points) {
+    const uint32_t code =
+        entry(coding, (table << coding.code_bits) +
+                          bits_at(record, bit, coding.code_bits));
+    table ^= code >> word::kTableShift & coding.last_table;
+    bit += (code & word::kLengthMask) + width_of(code);
+    if (kind_of(code) != word::kEndOfContour) {
+      if (is_start && kind_of(code) != kCorner) {
+        break;
+      }
+      is_start = false;
+      continue;
+    }
+    if (is_start) {
+      break;  // a contour without points
+    }
+    is_start = true;
+    if (bits_at(record, bit++, 1) == 0) {
+      return points;
+    }
+  }
+  return uint32_t{coding.max_points} + 1;
+}
+
+// Whether the code words make sense (docs/FORMAT.md, rule 16).
+bool code_fits(const OutlineCoding& coding) noexcept {
+  const uint32_t count = (coding.last_table + 1u) << coding.code_bits;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t code = entry(coding, i);
+    const uint32_t length = code & word::kLengthMask;
+    if (length == 0 || length > coding.code_bits ||
+        code >> word::kTableShift > coding.last_table ||
+        (kind_of(code) == word::kEndOfContour && width_of(code) != 0)) {
+      return false;
+    }
+    // All that begin with the word are in a row; with numbers the first bit of
+    // them may tell words of the same bits apart.
+    const uint32_t after = coding.code_bits - length;
+    const uint32_t same =
+        1u << (after != 0 && width_of(code) != 0 ? after - 1 : after);
+    if ((i & (same - 1)) != 0 && entry(coding, i - 1) != code) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether the record of an outline or a composite does (rules 17 and 18), and
+// the bits before its hints, in a composite no more than that. Every code word
+// of `coding` must.
+bool outline_fits(const Font& font,
+                  Span<const uint8_t> record,
+                  const OutlineCoding& coding,
+                  uint32_t& bits) noexcept {
+  if (record.data[0] != format::composite::kType) {
+    return count_points(record, coding, bits) <= coding.max_points;
+  }
+  bits = 8 * format::composite::kTypeBytes;
+  ComponentReader components;
+  components.begin();
+  Component component;
+  uint32_t points = 0;
+  while (components.next(record, component)) {
+    const Span<const uint8_t> part = font.record(component.glyph);
+    if (!is_outline(part) || part.data[0] == format::composite::kType ||
+        (component.has_matrix && is_mirrored(component.matrix_q14()))) {
+      return false;
+    }
+    uint32_t end;
+    points += count_points(part, coding, end);
+  }
+  return points != 0 && points <= coding.max_points;
 }
 
 // All entries that begin with a word are equal.
@@ -246,7 +347,7 @@ Status Font::verify() const noexcept {
     return Status::corrupt;
   }
   const uint32_t crc =
-      detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
+      crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
       !cmap_fits(cmap_table(), glyph_count_) ||
       !code_pages_fit(code_pages_, glyph_count_) ||
@@ -254,11 +355,11 @@ Status Font::verify() const noexcept {
       (kerning_table().size != 0 &&
        !KerningCheck().fits(kerning_table(), glyph_count_)) ||
       !offsets_fit(glyph_table(), glyph_count_) ||
-      !detail::morphs_fit(section(format::section::kMorphs), glyph_count_)) {
+      !morphs_fit(section(format::section::kMorphs), glyph_count_)) {
     return Status::corrupt;
   }
   const bool has_code = has_outlines();
-  if (has_code && !detail::code_fits(coding_)) {
+  if (has_code && !code_fits(coding_)) {
     return Status::corrupt;
   }
   GridHints hints;
@@ -269,8 +370,7 @@ Status Font::verify() const noexcept {
     const Span<const uint8_t> bytes = record(static_cast<uint16_t>(glyph));
     uint32_t bits = 0;
     if (bytes.size != 0 &&
-        (!detail::is_outline(bytes) ||
-         !detail::outline_fits(*this, bytes, coding_, bits) ||
+        (!is_outline(bytes) || !outline_fits(*this, bytes, coding_, bits) ||
          !hints_fit(hints, bytes, bits))) {
       return Status::corrupt;
     }
