@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "inkcell/fit.hpp"
-#include "inkcell/format/paged.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/stored/paged.hpp"
 #include "inkcell/stored/stored_font.hpp"
 #include "messages.hpp"
 #include "pipeline/generate.hpp"

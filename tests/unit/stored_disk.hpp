@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 #include "font_builder.hpp"
-#include "inkcell/format/paged.hpp"
+#include "inkcell/stored/paged.hpp"
 #include "inkcell/version.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"

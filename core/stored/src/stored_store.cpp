@@ -4,7 +4,8 @@
 #include "base/crc.hpp"
 #include "font/font_tables.hpp"
 #include "inkcell/coding.hpp"
-#include "inkcell/format/paged.hpp"
+#include "inkcell/format/rom.hpp"
+#include "inkcell/stored/paged.hpp"
 #include "inkcell/version.hpp"
 #include "stored_source.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "inkcell/format/paged.hpp"
+#include "inkcell/stored/paged.hpp"
 #include "inkcell/version.hpp"
 
 namespace inkcell::gen {

@@ -7,8 +7,8 @@
 
 #include "base/byte_writer.hpp"
 #include "base/error.hpp"
-#include "inkcell/format/paged.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/stored/paged.hpp"
 #include "inkcell/version.hpp"
 #include "rom/character_runs.hpp"
 #include "rom/font_sections.hpp"

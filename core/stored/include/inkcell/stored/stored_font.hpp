@@ -18,9 +18,9 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/format/paged.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/stored/paged.hpp"
 
 namespace inkcell {
 
