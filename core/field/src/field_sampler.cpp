@@ -1,7 +1,6 @@
 #include "field_sampler.hpp"
 
 #include "base/math.hpp"
-#include "base/root.hpp"
 #include "place/style_parts.hpp"
 
 namespace inkcell::detail {

@@ -1,7 +1,6 @@
 #include "inkcell/field/glyph_field.hpp"
 
 #include "base/math.hpp"
-#include "base/root.hpp"
 #include "field_sampler.hpp"
 #include "inkcell/format/rom.hpp"
 

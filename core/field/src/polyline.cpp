@@ -1,7 +1,6 @@
 #include "polyline.hpp"
 
 #include "base/math.hpp"
-#include "base/root.hpp"
 #include "rows/contours.hpp"
 
 namespace inkcell::detail {

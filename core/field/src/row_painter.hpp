@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "base/root.hpp"
 #include "cell_values.hpp"
 #include "field_rows.hpp"
 #include "place/style_parts.hpp"

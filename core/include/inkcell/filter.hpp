@@ -236,13 +236,11 @@ constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
 
 /// -0.5 to 0.5 px, exponent 1: right weight at text sizes.
 inline constexpr Filter kFilterText =
-    make_filter({Q6_10::from_raw(-512), Q6_10::from_raw(512),
-                 Fixed<uint16_t, 8>::from_raw(256)});
+    make_filter({Q6_10::from_raw(-512), Q6_10::from_raw(512)});
 
 /// -0.6 to 0.625 px, exponent 1: calm, for type that moves.
 inline constexpr Filter kFilterMotion =
-    make_filter({Q6_10::from_raw(-614), Q6_10::from_raw(640),
-                 Fixed<uint16_t, 8>::from_raw(256)});
+    make_filter({Q6_10::from_raw(-614), Q6_10::from_raw(640)});
 
 /// -0.75 to 0.75 px, exponent 1.1: the paper's choice for display type.
 inline constexpr Filter kFilterPaperDisplay =

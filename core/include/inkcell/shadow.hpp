@@ -20,9 +20,17 @@ namespace inkcell {
 /// beyond_band: at `size`, one of the filter's cutoffs is farther from the edge
 /// than the font's distances are good. Distances of outlines are good
 /// everywhere.
-Status check_reach(const FontRange& range,
-                   Q26_6 size,
-                   const Filter& filter) noexcept;
+constexpr Status check_reach(const FontRange& range,
+                             Q26_6 size,
+                             const Filter& filter) noexcept {
+  const int32_t outside_q10 = -filter.outside_q10;
+  const int64_t reach_q10 =
+      outside_q10 > filter.inside_q10 ? outside_q10 : filter.inside_q10;
+  // The band is 1/1024 em, so that both sides are 1/1024 px, Q6.
+  return reach_q10 * 64 > (int64_t{range.band_u} + 1) * size.raw
+             ? Status::beyond_band
+             : Status::ok;
+}
 
 /// A soft edge: a Gaussian from `reach_px` outside to as far inside.
 constexpr Filter shadow_filter(Q6_10 reach_px) noexcept {

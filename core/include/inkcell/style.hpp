@@ -220,6 +220,8 @@ class Style {
     return detail::clamp(distance_u_q10, -limit, limit) * size_q6_ >> 16;
   }
 
+  /// Equal sizes and directions; the same filter, fitter and effect, by
+  /// address.
   friend bool is_same(const Style& a, const Style& b) noexcept;
 
  private:
@@ -244,8 +246,5 @@ class Style {
   const void* fit_options_ = nullptr;
   const Effect* effect_ = nullptr;
 };
-
-/// Equal sizes and directions; the same filter, fitter and effect, by address.
-bool is_same(const Style& a, const Style& b) noexcept;
 
 }  // namespace inkcell

@@ -18,6 +18,11 @@
 
 namespace inkcell {
 
+namespace detail {
+inline constexpr Font kNoFont;
+inline constexpr Style kNoStyle;
+}  // namespace detail
+
 /// Keeps its text, and the box of it. Lines of a style that is turned are
 /// anchored at their left end.
 class ValueLabel {
@@ -26,7 +31,8 @@ class ValueLabel {
   static constexpr size_t kMostBytes = 31;
 
   /// Without a font it draws nothing.
-  constexpr ValueLabel() noexcept;
+  constexpr ValueLabel() noexcept
+      : ValueLabel(detail::kNoFont, detail::kNoStyle, {}) {}
   /// An empty text. Refers to font and style, which must outlive it.
   constexpr ValueLabel(const Font& font,
                        const Style& style,
@@ -62,13 +68,5 @@ class ValueLabel {
   uint8_t size_ = 0;
   char bytes_[kMostBytes] = {};
 };
-
-namespace detail {
-inline constexpr Font kNoFont;
-inline constexpr Style kNoStyle;
-}  // namespace detail
-
-constexpr ValueLabel::ValueLabel() noexcept
-    : ValueLabel(detail::kNoFont, detail::kNoStyle, {}) {}
 
 }  // namespace inkcell

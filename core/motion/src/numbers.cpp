@@ -1,7 +1,7 @@
 // Trigonometry, roots and powers by polynomials, without tables.
 #include "inkcell/motion/numbers.hpp"
 
-#include "base/root.hpp"
+#include "base/math.hpp"
 #include "limits.hpp"
 
 namespace inkcell::motion {

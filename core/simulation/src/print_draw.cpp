@@ -5,7 +5,7 @@
 #include "inkcell/simulation/print_draw.hpp"
 
 #include "base/known_span.hpp"
-#include "base/root.hpp"
+#include "base/math.hpp"
 #include "limits.hpp"
 #include "pixel_run.hpp"
 

@@ -2,7 +2,7 @@
 #include "inkcell/simulation/redistance.hpp"
 
 #include "base/known_span.hpp"
-#include "base/root.hpp"
+#include "base/math.hpp"
 #include "limits.hpp"
 
 namespace inkcell::simulation {

@@ -1,4 +1,5 @@
-// Minimum, maximum, absolute value, clamps, lengths, and numbers modulo 2^32.
+// Minimum, maximum, absolute value, clamps, lengths, square roots, and numbers
+// modulo 2^32.
 #pragma once
 
 #include <stdint.h>
@@ -59,6 +60,35 @@ inline int32_t rough_length(int32_t x, int32_t y) noexcept {
 inline int32_t near_length(int32_t x, int32_t y) noexcept {
   const int32_t most = max(x, y);
   return max(most, most - (most >> 3) + (min(x, y) >> 1));
+}
+
+// The square root rounded down, of an unsigned number of 32 or 64 bits; `rest`
+// is what its square lacks.
+template <typename Word>
+constexpr uint32_t root_of(Word value, Word& rest) noexcept {
+  Word root = 0;
+  for (Word bit = Word{1} << (8 * sizeof(Word) - 2); bit != 0; bit >>= 2) {
+    const Word sum = root + bit;
+    root >>= 1;
+    if (value >= sum) {
+      value -= sum;
+      root += bit;
+    }
+  }
+  rest = value;
+  return static_cast<uint32_t>(root);
+}
+template <typename Word>
+constexpr uint32_t root_of(Word value) noexcept {
+  Word rest = 0;
+  return root_of(value, rest);
+}
+
+// To the nearest.
+constexpr uint32_t nearest_root_of(uint32_t value) noexcept {
+  uint32_t rest = 0;
+  const uint32_t root = root_of(value, rest);
+  return root + (rest > root ? 1 : 0);
 }
 
 inline void swap(int32_t& a, int32_t& b) noexcept {

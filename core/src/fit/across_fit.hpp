@@ -23,11 +23,6 @@ inline int32_t least_room(int32_t room, int32_t least) noexcept {
 
 class AcrossFit {
  public:
-  struct Room {
-    int32_t fitted;
-    int32_t designed;
-  };
-
   explicit AcrossFit(const Fit& fit) noexcept : fit_(fit) {}
 
   // Call after the hints of y were read. `advance` is whole.
@@ -50,12 +45,12 @@ class AcrossFit {
     read(hints);
     add(right_u, right_u, 0, 0);
     const bool is_stemless = !has_stems();
-    right_.designed = advance - set_gaps();
-    left_.designed = stems_[0].gap;
+    right_.designed_q6 = advance - set_gaps();
+    left_.designed_q6 = stems_[0].gap;
     // The left column is free in all glyphs but those that overhang.
-    const int32_t before = least_room(left_.designed, kPx);
+    const int32_t before = least_room(left_.designed_q6, kPx);
     const bool is_symmetric = hints.is_symmetric();
-    const int32_t after = least_room(right_.designed, 0);
+    const int32_t after = least_room(right_.designed_q6, 0);
     const int32_t most =
         max(whole - before - after, least_ink(is_symmetric, right_u - left_u));
     int32_t total = 0;
@@ -72,12 +67,12 @@ class AcrossFit {
     // The middle of the ink stays where it is, as far as there is room. Halves,
     // and what is near, are behind it, so that letters alike begin alike.
     const int32_t free = whole - total;
-    const int32_t middle =
-        round_px(((free + left_.designed - right_.designed) >> 1) - kPx / 4);
+    const int32_t middle = round_px(
+        ((free + left_.designed_q6 - right_.designed_q6) >> 1) - kPx / 4);
     const int32_t last = free - after;
-    left_.fitted = max(min(middle, last), min(before, max(last, 0)));
-    right_.fitted = free - left_.fitted;
-    stems_[0].gap = left_.fitted;
+    left_.fitted_q6 = max(min(middle, last), min(before, max(last, 0)));
+    right_.fitted_q6 = free - left_.fitted_q6;
+    stems_[0].gap = left_.fitted_q6;
   }
 
   void write(AxisMap& map) const noexcept {
@@ -107,8 +102,8 @@ class AcrossFit {
   }
 
   // Free columns beside the ink, and what they are as designed.
-  const Room& left() const noexcept { return left_; }
-  const Room& right() const noexcept { return right_; }
+  const FitGap& left() const noexcept { return left_; }
+  const FitGap& right() const noexcept { return right_; }
 
  private:
   // A stem, or an end of the ink as a stem without a width.
@@ -304,8 +299,8 @@ class AcrossFit {
   }
 
   const Fit& fit_;
-  Room left_ = {0, 0};
-  Room right_ = {0, 0};
+  FitGap left_ = {0, 0};
+  FitGap right_ = {0, 0};
   // Includes both ends of the ink; none: nothing is fitted.
   Stem* end_ = stems_;
   Stem stems_[GlyphHints::kMostX + 2];

@@ -7,16 +7,10 @@
 
 namespace inkcell {
 
-using detail::abs;
-using detail::kPx;
-using detail::max;
-using detail::min;
-using detail::round_px;
-using detail::whole_width;
+using namespace detail;
 
+// Lengths as in fit_units.hpp.
 namespace {
-
-// All lengths are [px, Q6] unless their names say otherwise.
 
 // Fractions of an x-height from 1/8 px on are rounded up.
 constexpr int32_t kRoundUp = kPx - kPx / 8;
@@ -33,6 +27,33 @@ constexpr int32_t kFuller = 30;
 constexpr int32_t kRoundDown = kPx * 7 / 16;
 
 }  // namespace
+
+// Not inline for its size.
+__attribute__((noinline)) bool AxisMap::add(int32_t from_q8,
+                                            int32_t to_q8) noexcept {
+  const auto is_near = [](int32_t value) noexcept {
+    return static_cast<uint32_t>(value + kReachQ8) <= 2 * kReachQ8;
+  };
+  if (count >= kMaxKnots || !is_near(from_q8) || !is_near(to_q8)) {
+    return false;
+  }
+  if (count != 0) {
+    Knot& last = knots[count - 1];
+    const int32_t length = from_q8 - last.from_q8;
+    if (length <= 0) {
+      return false;
+    }
+    to_q8 = to_q8 < last.to_q8 ? last.to_q8 : to_q8;
+    // At most 2^30. Rounded down, so that no point passes the knot.
+    last.slope_q14 =
+        static_cast<int32_t>((static_cast<uint32_t>(to_q8 - last.to_q8) << 14) /
+                             static_cast<uint32_t>(length));
+  }
+  knots[count] = {static_cast<int16_t>(from_q8), static_cast<int16_t>(to_q8),
+                  kNoSlope};
+  ++count;
+  return true;
+}
 
 // Font units to u, clamped to 32 em.
 inline int32_t Fit::u_of(int32_t units) const noexcept {
@@ -250,7 +271,7 @@ class GridFit {
                                int32_t size_q6,
                                int32_t units) noexcept {
     const int32_t em = font.units_per_em();
-    return detail::quotient(units * size_q6 + em * kRoundDown, em * 64) << 6;
+    return quotient(units * size_q6 + em * kRoundDown, em * 64) << 6;
   }
 
   __attribute__((noinline)) static FitGap gap_between(const Fit& fit,
@@ -271,12 +292,12 @@ class GridFit {
       for (uint32_t j = hints.y_count(); j != 0; --j) {
         static_cast<void>(hints.next_y());
       }
-      detail::AcrossFit across(fit);
+      AcrossFit across(fit);
       across.fit(metrics, whole_advance(font, fit.size_q6_, metrics.advance),
                  hints);
-      const auto& room = i == 0 ? across.right() : across.left();
-      sum.fitted_q6 += room.fitted;
-      sum.designed_q6 += room.designed;
+      const FitGap& room = i == 0 ? across.right() : across.left();
+      sum.fitted_q6 += room.fitted_q6;
+      sum.designed_q6 += room.designed_q6;
     }
     return sum;
   }
@@ -292,7 +313,7 @@ class GridFit {
     }
     // The baseline lies between two rows.
     fit.to_grid(origin.y_q10);
-    detail::HeightFit heights(fit);
+    HeightFit heights(fit);
     heights.read(hints);
     heights.fit_free();
     heights.write(warp.y);
@@ -303,7 +324,7 @@ class GridFit {
                                                    GlyphHints& hints,
                                                    int32_t advance,
                                                    AxisMap& map) noexcept {
-    detail::AcrossFit across(fit);
+    AcrossFit across(fit);
     across.fit(metrics, advance, hints);
     across.write(map);
   }

@@ -3,7 +3,6 @@
 #include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
-#include "outlines/record_bits.hpp"
 #include "place/style_parts.hpp"
 
 namespace inkcell::detail {

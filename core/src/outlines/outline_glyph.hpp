@@ -10,7 +10,7 @@
 #include "inkcell/mixer.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
-#include "outlines/component.hpp"
+#include "outlines/record_bits.hpp"
 #include "outlines/screen_point.hpp"
 #include "place/position.hpp"
 

@@ -2,7 +2,6 @@
 #include "inkcell/style.hpp"
 
 #include "base/math.hpp"
-#include "base/root.hpp"
 #include "inkcell/font.hpp"
 
 namespace inkcell {

@@ -15,8 +15,6 @@
 //
 // Every height becomes units once (units_of), so that a row's sum is the
 // winding number, whatever was rounded.
-//
-// Over 400 lines: one painter, whose loops are inlined into each other.
 #include "rows/band.hpp"
 
 #include "base/math.hpp"
@@ -93,12 +91,12 @@ void add_wide(const Band& band,
 }
 
 // Within one column. `twice`: the sum of both ends' distances to its left.
-inline void add_narrow(const Band& band,
+inline void add_narrow(int32_t last_column,
                        uint8_t* row,
                        int32_t column,
                        int32_t twice,
                        int32_t gain) noexcept {
-  if (is_up_to(column, band.last_column)) {
+  if (is_up_to(column, last_column)) {
     const int32_t behind = (twice * gain + 256) >> 9;
     add(row + column, gain - behind);
     add(row + column + 1, behind);
@@ -116,7 +114,8 @@ __attribute__((noinline)) void add_any(const Band& band,
   const int32_t right = max(from, to);
   const int32_t column = left >> 8;
   if (right - column * 256 <= 256) {
-    add_narrow(band, row, column, left + right - 512 * column, gain);
+    add_narrow(band.last_column, row, column, left + right - 512 * column,
+               gain);
   } else {
     add_wide(band, row, left, right, gain,
              times(gain, reciprocal_of(static_cast<uint32_t>(right - left))));
@@ -129,7 +128,8 @@ inline void add_part(const Band& band,
                      int32_t to,
                      int32_t gain) noexcept {
   if (!kIsSmall && __builtin_expect((from ^ to) >> 8 == 0, 1)) {
-    add_narrow(band, row, from >> 8, (from & 255) + (to & 255), gain);
+    add_narrow(band.last_column, row, from >> 8, (from & 255) + (to & 255),
+               gain);
   } else {
     add_any(band, row, from, to, gain);
   }
@@ -175,7 +175,8 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
     int32_t next = min((y | 255) + 1, bottom);
     if (next - y != 256) {
       const int32_t units = units_of(next) - units_of(y);
-      add_narrow(band, bytes, column, (x & 255) * 2, full < 0 ? -units : units);
+      add_narrow(band.last_column, bytes, column, (x & 255) * 2,
+                 full < 0 ? -units : units);
       bytes += stride;
     } else {
       next = bottom & ~255;
@@ -203,18 +204,10 @@ void paint_full_rows(const Band& band,
   const int32_t stride = band.stride;
   do {
     const int32_t left = x_q16 >> 8;
-    const int32_t twice = (left & 255) * 2 + width;
-    const int32_t column = x_q16 >> 16;
     if (kIsSmall) {
       add_any(band, row, left, left + width, full);
     } else if (__builtin_expect((left & 255) + width <= 256, 1)) {
-      if (is_up_to(column, last_column)) {
-        const int32_t behind = (twice * full + 256) >> 9;
-        add(row + column, full - behind);
-        add(row + column + 1, behind);
-      } else if (column < 0) {
-        add(row, full);
-      }
+      add_narrow(last_column, row, x_q16 >> 16, (left & 255) * 2 + width, full);
     } else {
       if (rise == 0) {
         rise = times(full, reciprocal_of(static_cast<uint32_t>(width)));

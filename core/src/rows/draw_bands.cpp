@@ -264,6 +264,15 @@ __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
   job.source->fill(job);
 }
 
+// Where a glyph lies while it is drawn:
+//
+//   lent RAM [bytes]          job, maps   points and bands
+//   kWideBandRam at most      stack       stack, deeper: draw_apart()
+//   below kLeastFittedRam     stack       lent
+//   more                      lent        lent
+//
+// Styles that are not fitted have no maps. In the first row they take a frame
+// without room for them.
 void draw_bands(const GlyphRef& ref,
                 const Style& style,
                 const Placed& placed,

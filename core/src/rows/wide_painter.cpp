@@ -105,6 +105,14 @@ inline bool is_zero(const PixelPoint& a) noexcept {
   return (a.x | a.y) == 0;
 }
 
+// Whether a piece between these heights may show something.
+bool is_within_reach(const Band& band,
+                     int32_t y0,
+                     int32_t y1,
+                     int32_t y2) noexcept {
+  return !is_outside(band, y0, y1, y2, band.reach_q8, band.reach_q8);
+}
+
 template <typename Marks>
 struct WidePainter {
   static constexpr bool kNearRows = false;
@@ -133,10 +141,10 @@ struct WidePainter {
     }
     const uint32_t corners = at.corner_at | corner << 1;
     if (!is_bent) {
-      if (is_within_reach(edge[0].y, next.y, next.y)) {
+      if (is_within_reach(band, edge[0].y, next.y, next.y)) {
         paint_line<Marks>(band, edge[0], next, corners);
       }
-    } else if (is_within_reach(edge[0].y, edge[1].y, next.y)) {
+    } else if (is_within_reach(band, edge[0].y, edge[1].y, next.y)) {
       paint_curve<Marks>(band, edge[0], edge[1], next, corners);
     }
     PixelPoint before = difference(next, is_bent ? edge[1] : edge[0]);
@@ -150,11 +158,6 @@ struct WidePainter {
     if (kind == kCorner && is_zero(difference(next, at.start()))) {
       paint_corner<Marks>(band, next, at.before(), at.first());
     }
-  }
-
-  // Whether a piece between these heights may show something.
-  bool is_within_reach(int32_t y0, int32_t y1, int32_t y2) const noexcept {
-    return !is_outside(band, y0, y1, y2, band.reach_q8, band.reach_q8);
   }
 };
 

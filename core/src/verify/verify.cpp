@@ -6,7 +6,6 @@
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
-#include "outlines/component.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "outlines/record_bits.hpp"
 #include "verify/morph_verify.hpp"
