@@ -51,13 +51,13 @@ struct Call {
 };
 
 // Where a glyph is drawn: the pixel of its origin, and the phase in it. [Q10]
-struct Place {
+struct GlyphPlace {
   int32_t x;
   int32_t y;
   int32_t x_q10;
   int32_t y_q10;
 
-  explicit Place(const Placed& at) noexcept
+  explicit GlyphPlace(const Placed& at) noexcept
       : x(at.x_q10 >> 10),
         y(at.y_q10 >> 10),
         x_q10(at.x_q10 & 1023),
@@ -190,7 +190,7 @@ __attribute__((noinline)) const CachedGlyph* draw_new(
     INKCELL_ASSERT(call.run.font->check(*call.run.style) == Status::ok);
     return nullptr;
   }
-  const Place place(at);
+  const GlyphPlace place(at);
   const CachedGlyph* const kept =
       record(call, key, place.origin(),
              {shown.x0 - place.x, shown.y0 - place.y, shown.x1 - place.x,
@@ -215,7 +215,7 @@ void GlyphCache::draw_kept(GlyphRun& run,
   const Call call(*self.store_, run);
   const uint32_t shift = self.phase_shift;
   const Placed at = detail::at_phase(placed, shift);
-  const Place place(at);
+  const GlyphPlace place(at);
   const uint32_t key =
       call.slot() << 28 | static_cast<uint32_t>(place.y_q10) >> shift << 22 |
       static_cast<uint32_t>(place.x_q10) >> shift << 16 | glyph;

@@ -82,14 +82,15 @@ uint32_t four_of(const uint8_t* values,
   return four;
 }
 
-uint32_t kind_of(uint32_t pair) noexcept {
+uint32_t kind_of_pair(uint32_t pair) noexcept {
   return pair == 0 ? kEmpty : pair == 0xffff ? kSolid : kMixed;
 }
 
 // The code of two fours.
 uint32_t code_of(uint32_t first, uint32_t second, bool by_pairs) noexcept {
-  const uint32_t pairs[4] = {kind_of(first & 0xffff), kind_of(first >> 16),
-                             kind_of(second & 0xffff), kind_of(second >> 16)};
+  const uint32_t pairs[4] = {
+      kind_of_pair(first & 0xffff), kind_of_pair(first >> 16),
+      kind_of_pair(second & 0xffff), kind_of_pair(second >> 16)};
   const uint32_t wanted = kinds(pairs[0], pairs[1], pairs[2], pairs[3]);
   for (uint32_t code = 0; by_pairs && code != 16; ++code) {
     if (kKinds[code] == wanted) {

@@ -45,15 +45,15 @@ bool load_none(GlyphJob&) noexcept {
   return true;
 }
 
-void fill_band(GlyphJob& base) noexcept {
+void fill_field(GlyphJob& base) noexcept {
   const auto& job = static_cast<FieldJob&>(base);
   job.rows.fill(job.band, job.plan.band_kind->bytes, job.band_x_q8(),
                 job.band_y_q8());
 }
 
-constexpr Source kFieldSource = {prepare_glyph, load_none, fill_band,
+constexpr Source kFieldSource = {prepare_glyph, load_none, fill_field,
                                  sizeof(FieldJob), true};
-constexpr Source kSingleFieldSource = {prepare_single, load_none, fill_band,
+constexpr Source kSingleFieldSource = {prepare_single, load_none, fill_field,
                                        sizeof(FieldJob), true};
 
 }  // namespace

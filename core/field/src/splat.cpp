@@ -34,7 +34,7 @@ constexpr uint8_t kFall[kSteps] = {248, 232, 218, 204, 191, 179, 168, 157,
                                    52,  48,  45,  43,  40,  37,  35,  33};
 
 // A place on the screen from the centre of a block's first pixel, y down. [px]
-struct Place {
+struct FinePlace {
   int32_t x_q10;
   int32_t y_q10;
 };
@@ -54,19 +54,19 @@ class Block {
  private:
   int32_t width() const noexcept { return pixels_.x1 - pixels_.x0; }
   int32_t height() const noexcept { return pixels_.y1 - pixels_.y0; }
-  Place centre_of(const Square& square) const noexcept;
-  bool is_near(const Place& centre, uint32_t log2) const noexcept;
+  FinePlace centre_of(const Square& square) const noexcept;
+  bool is_near(const FinePlace& centre, uint32_t log2) const noexcept;
   bool visit(uint32_t reference, const Square& square) noexcept;
   void visit_tile(const Square& tile) noexcept;
   void add_centre(const Square& square) noexcept;
-  void add(const Place& centre, uint32_t log2, uint32_t coverage) noexcept;
+  void add(const FinePlace& centre, uint32_t log2, uint32_t coverage) noexcept;
 
   detail::FieldTree tree_;
   const Style& style_;
   const Splat& options_;
   const detail::Placed& placed_;
   Rect pixels_;
-  Place origin_ = {0, 0};
+  FinePlace origin_ = {0, 0};
   uint32_t least_log2_ = 0;  // of the least squares
   uint32_t wide_log2_ = 0;   // of the least that are wider than the radius
   uint32_t weight_q8_ = 0;   // of the least, at a pixel's centre
@@ -94,7 +94,7 @@ Block::Block(const Splat& splat, const FieldJob& job) noexcept
   steps_q16_ = ((kSteps << 16) + square_q14 - 1) / square_q14;
 }
 
-Place Block::centre_of(const Square& square) const noexcept {
+FinePlace Block::centre_of(const Square& square) const noexcept {
   const GlyphField& field = tree_.field;
   const int32_t size_q6 = style_.size().raw;
   const int32_t size_u = int32_t{1} << square.log2;
@@ -115,7 +115,7 @@ Place Block::centre_of(const Square& square) const noexcept {
 }
 
 // Whether anything in a square may be within the radius of a pixel.
-bool Block::is_near(const Place& centre, uint32_t log2) const noexcept {
+bool Block::is_near(const FinePlace& centre, uint32_t log2) const noexcept {
   // Half a diagonal is 91/128.
   const int32_t side_q10 = static_cast<int32_t>(
       (static_cast<uint32_t>(style_.size().raw) << log2) >> 6);
@@ -128,7 +128,7 @@ bool Block::is_near(const Place& centre, uint32_t log2) const noexcept {
 }
 
 // Adds a sample to all pixels within the radius.
-void Block::add(const Place& centre,
+void Block::add(const FinePlace& centre,
                 uint32_t log2,
                 uint32_t coverage) noexcept {
   const uint32_t weight_q8 = weight_q8_ << 2 * (log2 - least_log2_);

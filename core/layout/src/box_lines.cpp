@@ -25,8 +25,8 @@ __attribute__((noinline)) int32_t top_of(const TextBox& box,
   const int32_t top = box.rect.y0 * 64;
   const int32_t height = line_step(box);
   const int64_t lines = static_cast<int64_t>(count) * height;
-  int32_t room =
-      height_of(box) - (lines < kFar ? static_cast<int32_t>(lines) : kFar);
+  int32_t room = height_of(box) -
+                 (lines < kFarthest ? static_cast<int32_t>(lines) : kFarthest);
   if (box.vertical == VerticalAlign::bottom) {
     return top + room;
   }

@@ -11,14 +11,14 @@
 namespace inkcell::detail {
 
 // Lines and boxes lie within this. [px, Q6]
-inline constexpr int32_t kFar = 1 << 28;
+inline constexpr int32_t kFarthest = 1 << 28;
 
 inline Q26_6 box_width(const TextBox& box) noexcept {
   return Q26_6::from_int(box.rect.x1 - box.rect.x0);
 }
 
 inline int32_t line_step(const TextBox& box) noexcept {
-  return detail::clamp_to(line_height(box.options).raw, kFar);
+  return detail::clamp_to(line_height(box.options).raw, kFarthest);
 }
 
 // The lines of a box, one after the other: those that are given, or found anew.

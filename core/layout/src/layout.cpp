@@ -6,7 +6,7 @@
 
 namespace inkcell {
 
-using detail::Cell;
+using detail::LineCell;
 using detail::LineWalk;
 using detail::Pen;
 using detail::Setting;
@@ -55,7 +55,7 @@ class LineFinder {
       line_.is_last = true;
       return false;
     }
-    Cell cell;
+    LineCell cell;
     const uint32_t code_point = walk_.take(cell);
     const auto line_class = detail::line_class(code_point);
     const detail::Break place = state_.step(line_class, walk_.rest());
@@ -83,7 +83,7 @@ class LineFinder {
 
   // False: the line is full. It holds a character with its marks, even if there
   // is no room, but never more than kMaxLineBytes.
-  bool take_visible(uint32_t code_point, const Cell& cell) noexcept {
+  bool take_visible(uint32_t code_point, const LineCell& cell) noexcept {
     const bool is_long = cell.end - line_.begin > kMaxLineBytes;
     if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
                         (is_long && line_.next == line_.begin))) {
@@ -190,7 +190,7 @@ __attribute__((noinline)) void cut_front(const Setting& setting,
                                          int32_t room,
                                          Cut::Front& front) noexcept {
   LineWalk walk(setting, text, line);
-  Cell cell;
+  LineCell cell;
   front = {line.begin, 0, false};
   Cut::Front whole = front;
   while (walk.next(line.end(), cell) && cell.x_end <= room) {
@@ -214,7 +214,7 @@ __attribute__((noinline)) int32_t width_of(const Setting& setting,
                                            const TextLine& line,
                                            Cut& cut) noexcept {
   LineWalk walk(setting, text, line);
-  Cell cell;
+  LineCell cell;
   cut.back_begin = cut.front.end;
   while (walk.next(line.end(), cell)) {
     if (text.data[cell.begin] == '\t' && cell.end > cut.back_begin) {
@@ -231,7 +231,7 @@ __attribute__((noinline)) void cut_back(const Setting& setting,
                                         int32_t width,
                                         Cut& cut) noexcept {
   LineWalk walk(setting, text, line);
-  Cell cell;
+  LineCell cell;
   while (walk.next(line.end(), cell)) {
     const int32_t back = width - cell.x + walk.pen().spacing();
     if (cell.begin >= cut.back_begin && cell.has_ink && !cell.is_mark &&
@@ -348,7 +348,7 @@ Status detail::lay_out_in(const Setting& setting,
   if (width != nullptr) {
     cursor.align(*width);
   }
-  Cell cell;
+  LineCell cell;
   size_t count = 0;
   while (cursor.next(cell)) {
     if (!cell.has_ink) {

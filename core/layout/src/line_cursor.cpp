@@ -117,7 +117,7 @@ void LineCursor::begin_run() noexcept {
 }
 
 // The bytes of the character at at_, or of a sign.
-uint32_t LineCursor::take(Cell& cell) noexcept {
+uint32_t LineCursor::take(LineCell& cell) noexcept {
   cell.begin = at_;
   cell.end = at_;
   cell.is_added = !is_in_text_;
@@ -130,7 +130,7 @@ uint32_t LineCursor::take(Cell& cell) noexcept {
   return code_point;
 }
 
-void LineCursor::put(Cell& cell) noexcept {
+void LineCursor::put(LineCell& cell) noexcept {
   const uint32_t code_point = take(cell);
   pen_.put(code_point, cell.is_added ? uint8_t{0} : run_.level, cell);
   if (cell.is_added) {
@@ -142,7 +142,7 @@ void LineCursor::put(Cell& cell) noexcept {
 
 // Gaps of justified text: after spaces and ideographs, but for the last
 // character of the line.
-void LineCursor::stretch(uint32_t code_point, Cell& cell) noexcept {
+void LineCursor::stretch(uint32_t code_point, LineCell& cell) noexcept {
   if ((gap_ != 0 || wide_gaps_ != 0) && cell.end != line_.end() &&
       is_gap(code_point)) {
     const int32_t wide = wide_gaps_ != 0 ? 1 : 0;

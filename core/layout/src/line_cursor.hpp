@@ -21,7 +21,7 @@ class LineCursor {
 
   // The next character; false at the right end. Positions count from the left
   // end of the lines' room: they are aligned.
-  bool next(Cell& cell) noexcept {
+  bool next(LineCell& cell) noexcept {
     if (!advance()) {
       return false;
     }
@@ -45,9 +45,9 @@ class LineCursor {
   void begin_run() noexcept;
   bool begin_character() noexcept;
   bool begin_cluster() noexcept;
-  void put(Cell& cell) noexcept;
-  uint32_t take(Cell& cell) noexcept;
-  void stretch(uint32_t code_point, Cell& cell) noexcept;
+  void put(LineCell& cell) noexcept;
+  uint32_t take(LineCell& cell) noexcept;
+  void stretch(uint32_t code_point, LineCell& cell) noexcept;
 
   const Text& text_;
   const TextLine& line_;
@@ -73,7 +73,7 @@ class LineCursor {
 // A cell's glyph in the units of the font.
 inline PositionedGlyph positioned(const Pen& pen,
                                   const TextLine& line,
-                                  const Cell& cell) noexcept {
+                                  const LineCell& cell) noexcept {
   PositionedGlyph glyph;
   glyph.x = pen.to_units(cell.x_glyph);
   glyph.glyph = cell.glyph;

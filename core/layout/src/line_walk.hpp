@@ -27,7 +27,7 @@ class LineWalk {
   void skip_byte() noexcept { ++at_; }
 
   // Not at the end: takes the next code point, whose cell put() fills in.
-  uint32_t take(Cell& cell) noexcept {
+  uint32_t take(LineCell& cell) noexcept {
     cell.begin = at_;
     const uint32_t code_point = read_code_point(text_, at_);
     cell.end = at_;
@@ -35,12 +35,13 @@ class LineWalk {
   }
   // Inline, as Pen::put().
   __attribute__((always_inline)) void put(uint32_t code_point,
-                                          Cell& cell) noexcept {
+                                          LineCell& cell) noexcept {
     pen_.put(code_point, level(cell.begin), cell);
   }
 
   // Both, as long as cells begin before `end`.
-  __attribute__((always_inline)) bool next(uint32_t end, Cell& cell) noexcept {
+  __attribute__((always_inline)) bool next(uint32_t end,
+                                           LineCell& cell) noexcept {
     if (at_end() || at_ >= end) {
       return false;
     }

@@ -168,7 +168,7 @@ int32_t Pen::advance(const Glyph& glyph) const noexcept {
 // Glyphs of other faces are not kerned. A pair is in the order of the screen.
 // Where that may differ from the text's order, or the text is cut, each pair
 // stands for itself.
-int32_t Pen::kerning(const Cell& cell) noexcept {
+int32_t Pen::kerning(const LineCell& cell) noexcept {
   if (!cell.is_kerned || !previous_.is_found || previous_.face != 0 ||
       cell.face != 0) {
     return 0;
@@ -221,7 +221,7 @@ int32_t Pen::next_tab(int32_t step) const noexcept {
   return clamp_to(origin_ + steps * step, limit);
 }
 
-void Pen::begin_cell(uint8_t level, Cell& cell) noexcept {
+void Pen::begin_cell(uint8_t level, LineCell& cell) noexcept {
   if (level != previous_level_) {
     begin_run();
     previous_level_ = level;
@@ -230,7 +230,7 @@ void Pen::begin_cell(uint8_t level, Cell& cell) noexcept {
   cell.x_glyph = 0;
 }
 
-void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
+void Pen::look_up_tab(uint8_t level, LineCell& cell) noexcept {
   begin_cell(level, cell);
   cell.is_mark = false;
   cell.has_ink = false;
@@ -244,7 +244,7 @@ void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
 // Finds the glyph and its advance, which `x_end` then holds; `x_glyph` counts
 // from `x`. Widths are the same in both orders: marks neither take part in
 // kerning nor in spacing, and nothing reaches over a tab.
-void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
+void Pen::look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept {
   begin_cell(level, cell);
   cell.is_mark = is_mark(code_point);
   if (level % 2 != 0 && options().order() != nullptr) {
@@ -273,7 +273,7 @@ void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   }
 }
 
-void Pen::place(int32_t kerning, Cell& cell) noexcept {
+void Pen::place(int32_t kerning, LineCell& cell) noexcept {
   if (cell.is_base) {
     move((has_begun_ ? spacing_ : 0) + kerning);
     has_begun_ = true;

@@ -22,7 +22,7 @@ bool is_gap(uint32_t code_point) noexcept;
 
 // A character on its line. Positions count from the line's left end, in the
 // pen's unit: whole pixels where the style has such advances, else font units.
-struct Cell {
+struct LineCell {
   uint32_t begin = 0;  // its bytes in the text
   uint32_t end = 0;
   int32_t x = 0;
@@ -91,7 +91,7 @@ class Pen {
   // are read from the caller's frame, on the deepest stack of layout.
   __attribute__((always_inline)) void put(uint32_t code_point,
                                           uint8_t level,
-                                          Cell& cell) noexcept {
+                                          LineCell& cell) noexcept {
     if (code_point == '\t') {
       look_up_tab(level, cell);
     } else {
@@ -128,14 +128,14 @@ class Pen {
                    int32_t& advance) const noexcept;
   void replace(uint32_t code_point, Glyph& glyph) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
-  void look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
-  int32_t kerning(const Cell& cell) noexcept;
-  void place(int32_t kerning, Cell& cell) noexcept;
+  void look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept;
+  int32_t kerning(const LineCell& cell) noexcept;
+  void place(int32_t kerning, LineCell& cell) noexcept;
   int32_t digit_width() noexcept;
   int32_t tab_step() const noexcept;
   int32_t next_tab(int32_t step) const noexcept;
-  void look_up_tab(uint8_t level, Cell& cell) noexcept;
-  void begin_cell(uint8_t level, Cell& cell) noexcept;
+  void look_up_tab(uint8_t level, LineCell& cell) noexcept;
+  void begin_cell(uint8_t level, LineCell& cell) noexcept;
   int32_t em() const noexcept;
   Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
 

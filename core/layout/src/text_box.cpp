@@ -7,10 +7,10 @@ namespace inkcell {
 
 using detail::BoxDrawer;
 using detail::BoxLines;
-using detail::Cell;
 using detail::FacesDrawer;
-using detail::kFar;
+using detail::kFarthest;
 using detail::line_step;
+using detail::LineCell;
 using detail::LineCursor;
 using detail::Setting;
 
@@ -26,7 +26,7 @@ __attribute__((noinline)) void draw_line(const BoxLines& lines,
   LineCursor cursor = lines.cursor();
   drawer.begin({Q26_6::from_int(lines.box().rect.x0), Q26_6::from_raw(y_q6)},
                false);
-  Cell cell;
+  LineCell cell;
   while (cursor.next(cell)) {
     if (cell.has_ink) {
       drawer.draw(detail::positioned(cursor.pen(), lines.line(), cell));
@@ -48,7 +48,7 @@ class Carets {
 
   bool next(uint32_t& offset, int32_t& x) noexcept {
     const TextLine& line = lines_.line();
-    Cell cell;
+    LineCell cell;
     while (cursor_.next(cell)) {
       const bool is_rtl = cell.level % 2 != 0;
       if (cell.end == line.end() && (!cell.is_added || line.length == 0)) {
@@ -83,7 +83,7 @@ class Carets {
 // The place of the caret nearest to a column.
 __attribute__((noinline)) TextPlace nearest_place(const BoxLines& lines,
                                                   int32_t x) noexcept {
-  const int32_t x_q6 = detail::clamp_to(x, kFar >> 6) * 64 + 32;
+  const int32_t x_q6 = detail::clamp_to(x, kFarthest >> 6) * 64 + 32;
   const TextLine& line = lines.line();
   Carets carets(lines);
   TextPlace best;
@@ -130,7 +130,7 @@ int32_t ink_reach(const TextBox& box) noexcept {
   const int32_t up = metrics.y_max;
   const int32_t down = -metrics.y_min;
   const Q26_6 reach = to_px(*face.font, *face.style, up > down ? up : down);
-  return detail::clamp_to(reach.raw + line_step(box), kFar);
+  return detail::clamp_to(reach.raw + line_step(box), kFarthest);
 }
 
 // The rows that ink of a line may have, whose top is given. [px, Q6]
@@ -224,7 +224,7 @@ TextSize TextBox::measure(Text text,
   int32_t height = 0;
   while (found.next()) {
     ++size.lines;
-    height = detail::clamp_to(height + line_step(*this), kFar);
+    height = detail::clamp_to(height + line_step(*this), kFarthest);
     width = found.line().width > width ? found.line().width : width;
   }
   size.width = to_px(*options.face.font, *options.face.style, width);
@@ -241,7 +241,7 @@ TextPlace TextBox::hit(Text text,
   int32_t bottom = found.top();
   bool is_found = false;
   while (!is_found && found.next()) {
-    bottom = detail::clamp_to(bottom + line_step(*this), kFar);
+    bottom = detail::clamp_to(bottom + line_step(*this), kFarthest);
     is_found = y < bottom >> 6 || found.is_last();
   }
   if (!is_found) {
@@ -263,7 +263,7 @@ Rect TextBox::caret(Text text,
     is_found = place.offset < line.next || found.is_last() ||
                (place.is_line_end && place.offset == line.next);
     top += is_found ? 0 : line_step(*this);
-    top = detail::clamp_to(top, kFar);
+    top = detail::clamp_to(top, kFarthest);
   }
   if (!is_found) {
     return {};

@@ -7,6 +7,9 @@
 
 namespace inkcell::detail {
 
+// Two bytes of a word, each with room for what is carried.
+inline constexpr uint32_t kEvenBytes = 0x00ff00ff;
+
 inline uint32_t load_pixels(const uint8_t* at) noexcept {
   INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 4 == 0);
   uint32_t word;

@@ -24,7 +24,7 @@ namespace {
 
 // What three pixels of a line across a stroke cover at least, and nine around a
 // dot: more than roundings. [1/255 px]
-constexpr int32_t kLeastStroke = 16;
+constexpr int32_t kLeastStrokeInk = 16;
 constexpr int32_t kLeastDot = 6;
 // Strokes that cover so much in three pixels are no ends.
 constexpr int32_t kSurely = 180;
@@ -33,7 +33,7 @@ constexpr int32_t kSurely = 180;
 constexpr int32_t kDrawn = 128;
 
 // What three pixels of a line cover.
-int32_t sum(const uint8_t* at, int32_t step) noexcept {
+int32_t ink_of_three(const uint8_t* at, int32_t step) noexcept {
   return at[-step] + *at + at[step];
 }
 
@@ -43,13 +43,13 @@ int32_t sum(const uint8_t* at, int32_t step) noexcept {
 // line, `across` to the next one.
 bool is_stroke(const uint8_t* at, int32_t step, int32_t across) noexcept {
   const int32_t own = *at;
-  const int32_t here = sum(at, step);
-  if (own <= at[-step] || own < at[step] || here < kLeastStroke) {
+  const int32_t here = ink_of_three(at, step);
+  if (own <= at[-step] || own < at[step] || here < kLeastStrokeInk) {
     return false;
   }
   int32_t least = kSurely;
   for (int32_t i = -2; i <= 2; ++i) {
-    const int32_t beside = sum(at + i * across, step);
+    const int32_t beside = ink_of_three(at + i * across, step);
     if ((i & 1) != 0 && 4 * beside < here) {
       return false;
     }

@@ -8,7 +8,6 @@ namespace {
 
 // Each word of four pixels has two words of sums: of pixels 0 and 2 and of 1
 // and 3, each in 16 bits. 255 times 256 is the most.
-constexpr uint32_t kEvenBytes = 0x00ff00ff;
 constexpr uint32_t kHalves = 0x00800080;
 
 }  // namespace

@@ -158,10 +158,10 @@ inline void paint_whole_rows(uint8_t* row,
   } while (--count != 0);
 }
 
-__attribute__((noinline)) void paint_vertical(const Band& band,
-                                              int32_t x,
-                                              int32_t from,
-                                              int32_t to) noexcept {
+__attribute__((noinline)) void paint_upright(const Band& band,
+                                             int32_t x,
+                                             int32_t from,
+                                             int32_t to) noexcept {
   const int32_t full = (from < to) != band.is_mirrored ? kFull : -kFull;
   const int32_t top = max(min(from, to), 0);
   const int32_t bottom = min(max(from, to), band.rows * 256);
@@ -377,7 +377,7 @@ struct AreaPainter {
       if (kIsSmall) {
         paint_short_line(band, edge[2].x, edge[0].y, edge[2].x, edge[2].y);
       } else {
-        paint_vertical(band, edge[2].x, edge[0].y, edge[2].y);
+        paint_upright(band, edge[2].x, edge[0].y, edge[2].y);
       }
     } else if (edge[0].y != edge[2].y) {
       paint_line(band, edge[0], edge[2]);

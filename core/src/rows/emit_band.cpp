@@ -10,8 +10,6 @@
 namespace inkcell::detail {
 namespace {
 
-constexpr uint32_t kEvenBytes = 0x00ff00ff;
-
 // Sums that roundings carry below 0 or above 240, clamped, to coverage.
 __attribute__((noinline)) uint32_t clamp_and_scale(uint32_t sums) noexcept {
   uint32_t coverage = 0;
@@ -65,13 +63,13 @@ uint32_t filtered_word(uint32_t bytes,
   return coverage;
 }
 
-constexpr uint32_t kMixed = 1;
+constexpr uint32_t kSeveral = 1;
 
 // What the pixels of a row up to the end of a word are: 0 or ~0 if all are that
-// and fill the word, else kMixed.
+// and fill the word, else kSeveral.
 inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
-  const uint32_t word = count == 4 ? load_pixels(at) : kMixed;
-  return word + 1 > 1 ? kMixed : word;
+  const uint32_t word = count == 4 ? load_pixels(at) : kSeveral;
+  return word + 1 > 1 ? kSeveral : word;
 }
 
 // A band's words of four pixels, row by row. `cover` also has a `Left`, what it
@@ -147,8 +145,8 @@ void emit_row(const Sink& sink,
       next = min(x + 4, end);
       next_kind = kind_of(coverage, next - x);
     } while (x != end && next_kind == kind &&
-             (kind != kMixed || x - from <= kMaxSpan - 4));
-    if (kind == kMixed) {
+             (kind != kSeveral || x - from <= kMaxSpan - 4));
+    if (kind == kSeveral) {
       sink.coverage(sink.context, from, y, begin, x - from);
     } else if (kind != 0) {
       sink.solid(sink.context, from, y, x - from);

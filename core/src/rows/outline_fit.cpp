@@ -90,7 +90,9 @@ bool is_blank(const Font& font, uint16_t glyph) noexcept {
 
 // Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
 // others wrap. [px, Q6]
-int32_t to_px(const Font& font, const Style& style, int32_t units) noexcept {
+int32_t rounded_px(const Font& font,
+                   const Style& style,
+                   int32_t units) noexcept {
   return quotient(product(units, style.size().raw), font.units_per_em());
 }
 
@@ -125,7 +127,7 @@ int32_t join(const Font& font,
              int32_t& drift_q6) noexcept {
   const int32_t kerning_q6 = pair.kerning == 0 || count_digits(font, pair) == 2
                                  ? 0
-                                 : to_px(font, style, pair.kerning);
+                                 : rounded_px(font, style, pair.kerning);
   int32_t px = quotient(kerning_q6, 64);
   if (px < 0) {
     px = min(max(px, -room_to_kern(font, style, pair, kerning_q6)), 0);
@@ -133,7 +135,7 @@ int32_t join(const Font& font,
   const int32_t advance = font.advance(pair.left);
   const int32_t advance_px = fitter.advance_px(font, style, pair.left);
   const int32_t drift = drift_q6 - kerning_q6 + (px + advance_px) * 64 -
-                        to_px(font, style, advance);
+                        rounded_px(font, style, advance);
   // Glyphs of one width stand in columns.
   int32_t more = 0;
   if (abs(drift) > kMostDrift &&
@@ -161,7 +163,7 @@ int32_t join(const Font& font,
   return px + more;
 }
 
-int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
+int32_t fitted_units(const Font& font, Q26_6 size, int32_t px) noexcept {
   const int32_t size_q6 = size.raw;
   const int32_t em_q6 = font.units_per_em() * 64;
   // Whole units of a pixel, and what is left.
@@ -173,6 +175,7 @@ int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
 
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {fit_outline, move_points, join, to_units};
+const OutlineFitter kOutlineFitter = {fit_outline, move_points, join,
+                                      fitted_units};
 
 }  // namespace inkcell::detail

@@ -94,7 +94,7 @@ bool prepare_outline(GlyphJob& base,
 }
 
 // All points, or portions of those for which there is no room.
-void fill_band(GlyphJob& base) noexcept {
+void fill_outline(GlyphJob& base) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
   const auto paint = job.plan.band_kind->paint;
   job.cursor.begin(job.guards == 0);
@@ -109,7 +109,7 @@ void fill_band(GlyphJob& base) noexcept {
   } while (!job.outline.is_done());
 }
 
-constexpr Source kOutlineSource = {prepare_outline, load_points, fill_band,
+constexpr Source kOutlineSource = {prepare_outline, load_points, fill_outline,
                                    sizeof(OutlineJob), false};
 
 }  // namespace

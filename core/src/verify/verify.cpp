@@ -171,11 +171,11 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   return true;
 }
 
-uint32_t entry(const OutlineCoding& coding, uint32_t i) noexcept {
+uint32_t code_entry(const OutlineCoding& coding, uint32_t i) noexcept {
   return load_u16(coding.tables + 2 * i);
 }
 
-uint32_t kind_of(uint32_t code) noexcept {
+uint32_t kind_of_word(uint32_t code) noexcept {
   return code >> word::kKindShift & word::kKindMask;
 }
 uint32_t width_of(uint32_t code) noexcept {
@@ -198,12 +198,12 @@ uint32_t count_points(Span<const uint8_t> record,
   bool is_start = true;
   for (uint32_t points = 1; points <= coding.max_points; ++points) {
     const uint32_t code =
-        entry(coding, (table << coding.code_bits) +
-                          bits_at(record, bit, coding.code_bits));
+        code_entry(coding, (table << coding.code_bits) +
+                               bits_at(record, bit, coding.code_bits));
     table ^= code >> word::kTableShift & coding.last_table;
     bit += (code & word::kLengthMask) + width_of(code);
-    if (kind_of(code) != word::kEndOfContour) {
-      if (is_start && kind_of(code) != kCorner) {
+    if (kind_of_word(code) != word::kEndOfContour) {
+      if (is_start && kind_of_word(code) != kCorner) {
         break;
       }
       is_start = false;
@@ -224,11 +224,11 @@ uint32_t count_points(Span<const uint8_t> record,
 bool code_fits(const OutlineCoding& coding) noexcept {
   const uint32_t count = (coding.last_table + 1u) << coding.code_bits;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t code = entry(coding, i);
+    const uint32_t code = code_entry(coding, i);
     const uint32_t length = code & word::kLengthMask;
     if (length == 0 || length > coding.code_bits ||
         code >> word::kTableShift > coding.last_table ||
-        (kind_of(code) == word::kEndOfContour && width_of(code) != 0)) {
+        (kind_of_word(code) == word::kEndOfContour && width_of(code) != 0)) {
       return false;
     }
     // All that begin with the word are in a row; with numbers the first bit of
@@ -236,7 +236,7 @@ bool code_fits(const OutlineCoding& coding) noexcept {
     const uint32_t after = coding.code_bits - length;
     const uint32_t same =
         1u << (after != 0 && width_of(code) != 0 ? after - 1 : after);
-    if ((i & (same - 1)) != 0 && entry(coding, i - 1) != code) {
+    if ((i & (same - 1)) != 0 && code_entry(coding, i - 1) != code) {
       return false;
     }
   }

@@ -6,6 +6,7 @@
 #include "send_pages.hpp"
 
 namespace inkcell::port {
+namespace sh1106 {
 namespace {
 
 constexpr uint8_t kSetConverter = 0xad;
@@ -16,8 +17,10 @@ constexpr int32_t kColumns = 132;  // of the controller's memory [px]
 constexpr int32_t kLeastRows = 8;
 
 }  // namespace
+}  // namespace sh1106
 
 Status init(const Sh1106& display) noexcept {
+  using namespace sh1106;
   INKCELL_TRY(check_size(display, kColumns, kLeastRows));
   const uint8_t own[] = {kSetConverter,
                          display.converter ? kConverterOn : kConverterOff};
@@ -26,6 +29,7 @@ Status init(const Sh1106& display) noexcept {
 }
 
 Status write(const Sh1106& display, const Strip& strip) noexcept {
+  using namespace sh1106;
   INKCELL_TRY(check_size(display, kColumns, kLeastRows));
   INKCELL_TRY(
       check_on_screen(strip, Sh1106::kFormat, display.width, display.height));

@@ -5,6 +5,7 @@
 #include "send_pages.hpp"
 
 namespace inkcell::port {
+namespace ssd0303 {
 namespace {
 
 enum Command : uint8_t {
@@ -19,8 +20,10 @@ constexpr int32_t kColumns = 132;  // of the controller's memory [px]
 constexpr int32_t kRows = 64;
 
 }  // namespace
+}  // namespace ssd0303
 
 void init(const Ssd0303& display) noexcept {
+  using namespace ssd0303;
   const uint8_t commands[] = {
       detail::kOledOff, kSegmentsNormal, kNormalDisplay,  kNotInverse,
       kSetStartLine,    kScanNormal,     detail::kOledOn,
@@ -29,6 +32,7 @@ void init(const Ssd0303& display) noexcept {
 }
 
 Status write(const Ssd0303& display, const Strip& strip) noexcept {
+  using namespace ssd0303;
   if (display.first_column + display.width > kColumns ||
       display.height > kRows) {
     return Status::bad_argument;

@@ -5,6 +5,7 @@
 #include "send_pixels.hpp"
 
 namespace inkcell::port {
+namespace ssd0323 {
 namespace {
 
 enum Command : uint8_t {
@@ -21,8 +22,10 @@ constexpr int32_t kMaxWidth = 128;  // of the controller's memory [px]
 constexpr int32_t kMaxHeight = 80;
 
 }  // namespace
+}  // namespace ssd0323
 
 void init(const Ssd0323& display) noexcept {
+  using namespace ssd0323;
   const uint8_t commands[] = {
       detail::kOledOff,
       kSetRemap,
@@ -40,6 +43,7 @@ void init(const Ssd0323& display) noexcept {
 }
 
 Status write(const Ssd0323& display, const Strip& strip) noexcept {
+  using namespace ssd0323;
   if (display.width > kMaxWidth || display.height > kMaxHeight) {
     return Status::bad_argument;
   }

@@ -7,6 +7,7 @@
 #include "send_pixels.hpp"
 
 namespace inkcell::port {
+namespace ssd1306 {
 namespace {
 
 enum Command : uint8_t {
@@ -28,8 +29,10 @@ constexpr int32_t kColumns = 128;   // of the controller's memory [px]
 constexpr int32_t kLeastRows = 16;  // of the multiplex ratio
 
 }  // namespace
+}  // namespace ssd1306
 
 Status init(const Ssd1306& display) noexcept {
+  using namespace ssd1306;
   INKCELL_TRY(check_size(display, kColumns, kLeastRows));
   const uint8_t own[] = {
       kSetAddressing, kHorizontal,
@@ -41,6 +44,7 @@ Status init(const Ssd1306& display) noexcept {
 }
 
 Status write(const Ssd1306& display, const Strip& strip) noexcept {
+  using namespace ssd1306;
   INKCELL_TRY(check_size(display, kColumns, kLeastRows));
   INKCELL_TRY(
       check_on_screen(strip, Ssd1306::kFormat, display.width, display.height));

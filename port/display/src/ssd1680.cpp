@@ -6,6 +6,7 @@
 #include "send_pixels.hpp"
 
 namespace inkcell::port {
+namespace ssd1680 {
 namespace {
 
 enum Command : uint8_t {
@@ -56,8 +57,10 @@ void send_byte(const DisplayBus& bus,
 }
 
 }  // namespace
+}  // namespace ssd1680
 
 Status init(const Ssd1680& display) noexcept {
+  using namespace ssd1680;
   const DisplayBus& bus = display.bus;
   INKCELL_TRY(check(display));
   if (bus.reset != nullptr) {
@@ -78,6 +81,7 @@ Status init(const Ssd1680& display) noexcept {
 Status write(const Ssd1680& display,
              const Strip& strip,
              EpaperPlane plane) noexcept {
+  using namespace ssd1680;
   const DisplayBus& bus = display.bus;
   INKCELL_TRY(check(display));
   INKCELL_TRY(
@@ -99,6 +103,7 @@ Status write(const Ssd1680& display,
 }
 
 Status refresh(const Ssd1680& display, EpaperRefresh kind) noexcept {
+  using namespace ssd1680;
   const DisplayBus& bus = display.bus;
   INKCELL_TRY(check(display));
   const bool full = kind == EpaperRefresh::full;
@@ -113,6 +118,7 @@ Status refresh(const Ssd1680& display, EpaperRefresh kind) noexcept {
 }
 
 Status sleep(const Ssd1680& display) noexcept {
+  using namespace ssd1680;
   INKCELL_TRY(check(display));
   if (display.bus.reset == nullptr) {
     return Status::bad_argument;

@@ -131,7 +131,7 @@ void blend_words(uint8_t* pixel,
   }
 }
 
-void block(void* context, const CoverageBlock& given) noexcept {
+void blend_block(void* context, const CoverageBlock& given) noexcept {
   const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
   CoverageBlock block = given;
   if (!detail::clip(pixels.strip, block)) {
@@ -203,7 +203,7 @@ void fill_run(const detail::Rgb565Pixels& pixels, const Run& run) noexcept {
 
 const detail::SinkKind detail::Rgb565Pixels::kKind = {
     detail::coverage_of<detail::Rgb565Pixels, cover>,
-    detail::solid_of<detail::Rgb565Pixels, fill_run>, block, nullptr,
+    detail::solid_of<detail::Rgb565Pixels, fill_run>, blend_block, nullptr,
     layout_of(PixelFormat::rgb565)};
 
 }  // namespace inkcell::port
