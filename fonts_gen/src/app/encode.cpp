@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <vector>
 
 #include "inkcell/stored/paged.hpp"
@@ -130,6 +131,19 @@ std::string hpp_icons(const RomFont& font, const std::string& name) {
   return out + "}  // namespace " + name + "_icons\n";
 }
 
+// What includes headers of the library, or the one that it has as two files.
+std::string library_includes(std::initializer_list<std::string> headers,
+                             const std::string& only) {
+  std::string lines, last;
+  for (const std::string& header : headers) {
+    lines += header.empty() ? "" : "#include \"" + header + "\"\n";
+    last = header;
+  }
+  return "#if __has_include(\"" + last + "\")\n" + lines +
+         "#else  /* the library is two files */\n#include \"" + only +
+         "\"\n#endif\n";
+}
+
 // The head of a header of C++, with the includes that it needs.
 std::string hpp_head(const RomFont& font, const std::string& c_remedy) {
   std::string out = "// " + provenance(font) +
@@ -137,8 +151,10 @@ std::string hpp_head(const RomFont& font, const std::string& c_remedy) {
                     "#pragma once\n\n#ifndef __cplusplus\n#error \"this font "
                     "is for C++" +
                     c_remedy + "\"\n#endif\n\n#include <stdint.h>\n\n";
-  out += font.strings.empty() ? "" : "#include \"inkcell/shaped_run.hpp\"\n";
-  out += "#include \"inkcell/version.hpp\"\n\n";
+  out += library_includes({font.strings.empty() ? "" : "inkcell/shaped_run.hpp",
+                           "inkcell/version.hpp"},
+                          "inkcell.hpp") +
+         "\n";
   return out + "static_assert(inkcell::reads_format(" +
          std::to_string(kFormatMajor) + ", " + std::to_string(kFormatMinor) +
          "),\n              \"regenerate with inkcell-fontgen\");\n\n"
@@ -170,8 +186,10 @@ std::string c_head(const RomFont& font, const std::string& guard) {
                     std::to_string(kFormatMajor) + "." +
                     std::to_string(kFormatMinor) + ": do not edit. */\n";
   return out + guard + "#include <stdint.h>\n" +
-         (font.strings.empty() ? ""
-                               : "\n#include \"inkcell/c/shaped_run.h\"\n") +
+         (font.strings.empty()
+              ? std::string()
+              : "\n" +
+                    library_includes({"inkcell/c/shaped_run.h"}, "inkcell.h")) +
          "\n";
 }
 
