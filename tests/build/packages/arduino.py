@@ -2,7 +2,7 @@
 as include folder, and a core that is played. check_arduino.py has the rest."""
 import sys
 
-from packages.file_list import compile_all, link
+from packages.two_files import compile_all, link
 from toolchains import FONT, ROOT, call
 
 CORE = ROOT / "tests/build/arduino/core"

@@ -12,8 +12,7 @@ COMPILE = [*CPU, "-Os", "-ffunction-sections", "-fdata-sections",
 FIELDS = ("FieldRows::", "read_field", "samples_distance")
 # No start-up code of a board, no C library but its memset() and memcpy().
 LINK = [*CPU, "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
-MAIN = """#include <inkcell/status.hpp>
-#include <inkcell/strip.hpp>
+MAIN = """#include <inkcell/inkcell.hpp>
 
 inkcell::Status hello(const inkcell::Strip& strip);
 

@@ -1,0 +1,60 @@
+"""No build system: a compiler, and the library as two files, as docs/BUILD.md says."""
+import sys
+
+from packages.consumer import COMPILE, LINK, size_of, write_sources
+from toolchains import (COMPILERS, DEVICE_FLAGS, ROOT, WARNINGS, c_compiler, call,
+                        finish, in_parallel, make_font)
+
+IN_C = """#include "inkcell.h"
+
+int main(void) { return inkcell_status_name(INKCELL_OK)[0]; }
+"""
+# A local name may be that of another source.
+STRICT = [flag for flag in WARNINGS if flag != "-Wshadow"]
+
+
+def compile_all(folder, sources, options):
+    """Compiles the sources as C++ and returns their objects."""
+    folder.mkdir(parents=True, exist_ok=True)
+    objects = [folder / f"{i}.o" for i in range(len(sources))]
+    in_parallel(call, [
+        ("arm-none-eabi-g++", *COMPILE, *options, "-x", "c++", "-c", source, "-o",
+         out) for source, out in zip(sources, objects)])
+    return objects
+
+
+def link(program, objects):
+    call("arm-none-eabi-gcc", *LINK, *objects, "-o", program)
+    return size_of(program)
+
+
+def build(work, _, fontgen):
+    folder = work / "two_files"
+    library = folder / "inkcell"
+    write_sources(folder)
+    make_font(fontgen, folder / "fonts/dejavu_sans.hpp")
+    call(sys.executable, "-B", ROOT / "port/two_files/pack.py", library)
+    packed = {path.name: path.read_bytes() for path in library.iterdir()}
+    call(sys.executable, "-B", ROOT / "port/two_files/pack.py", library)
+    if packed != {path.name: path.read_bytes() for path in library.iterdir()}:
+        finish(0, ["two_files: packed twice, the files differ"])
+    # Every compiler takes them, with all warnings.
+    in_parallel(call, [
+        (*command, *DEVICE_FLAGS, *STRICT, "-Os", "-c", library / "inkcell.cpp",
+         "-o", folder / f"{machine}.o")
+        for machine, (command, _) in COMPILERS.items()])
+    objects = compile_all(folder / "objects",
+                          [library / "inkcell.cpp", folder / "main.cpp",
+                           folder / "readme.cpp"],
+                          [*DEVICE_FLAGS, f"-I{folder}", f"-I{library}"])
+    # A program of C, and one of C++ that has no inkcell.h.
+    (folder / "in_c.c").write_text(IN_C)
+    call(*c_compiler("host"), "-no-pie", f"-I{library}", folder / "in_c.c",
+         folder / "host.o", "-o", folder / "in_c")
+    (library / "inkcell.h").unlink()
+    without_c = compile_all(folder / "without_c", [library / "inkcell.cpp"],
+                            [*DEVICE_FLAGS])
+    size = link(folder / "app", objects)
+    if link(folder / "app", [*without_c, *objects[1:]]) != size:
+        finish(0, ["two_files: the interface for C is linked without a call"])
+    return {"two files": size}
