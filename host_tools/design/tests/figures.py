@@ -85,21 +85,14 @@ class Bench:
         return numbers(r"worst ([\d.]+) u .*, (\d+) with open", text)
 
     @functools.lru_cache(maxsize=None)
-    def masters(self, px_per_em, kind):
-        """Curves of a master: worst and RMS [u], largest time [s]."""
-        letters = "aB" if self.is_quick else TEN
-        text = self.output("inkcell_master_figures", SANS, letters,
+    def curves(self, px_per_em, kind):
+        """Curves of a master or a scan: worst and RMS [u], glyphs with a speck
+        or without a contour, largest time [s]."""
+        letters = "aB" if self.is_quick and kind != "scan" else TEN
+        text = self.output("inkcell_bitmap_figures", SANS, letters,
                            str(px_per_em), kind)
         return numbers(r"curves ([\d.]+) u worst .*\), ([\d.]+) RMS, .* "
-                       r"segments, ([\d.]+) s", text)
-
-    @functools.lru_cache(maxsize=None)
-    def scans(self, px_per_em):
-        """Curves of a scan: worst and RMS [u], glyphs with a speck or without
-        a contour."""
-        text = self.output("inkcell_scan_figures", SANS, TEN, str(px_per_em))
-        return numbers(r"curves ([\d.]+) u worst .*\), ([\d.]+) RMS, .* "
-                       r"segments, (\d+) glyphs", text)
+                       r"segments, (\d+) glyphs .*, ([\d.]+) s", text)
 
     @functools.lru_cache(maxsize=None)
     def hanzi(self, count, *settings):
@@ -173,23 +166,23 @@ def other_rows():
         Row("strokes with open or missing contours", 0, 0, "",
             lambda b: b.strokes()[1]),
         Row("master 4096 px/em, 1 bit, worst", 0.5, 0.27, "u",
-            lambda b: b.masters(4096, "bilevel")[0]),
+            lambda b: b.curves(4096, "bilevel")[0]),
         Row("master 4096 px/em, 1 bit, RMS", 0.1, 0.05, "u",
-            lambda b: b.masters(4096, "bilevel")[1]),
+            lambda b: b.curves(4096, "bilevel")[1]),
         Row("master 4096 px/em, slowest", 2, 0.5, "s",
-            lambda b: b.masters(4096, "bilevel")[2]),
+            lambda b: b.curves(4096, "bilevel")[3]),
         Row("master 1024 px/em, 8 bits, worst", 0.8, 0.3, "u",
-            lambda b: b.masters(1024, "grey")[0]),
+            lambda b: b.curves(1024, "grey")[0]),
         Row("master 1024 px/em, 8 bits, RMS", 0.08, 0.05, "u",
-            lambda b: b.masters(1024, "grey")[1]),
+            lambda b: b.curves(1024, "grey")[1]),
         Row("scan 200 px/em, RMS", 0.5, 0.25, "u",
-            lambda b: b.scans(200)[1]),
+            lambda b: b.curves(200, "scan")[1]),
         Row("scan 1200 px/em, worst", 1, 0.5, "u",
-            lambda b: b.scans(1200)[0]),
+            lambda b: b.curves(1200, "scan")[0]),
         Row("scan 1200 px/em, RMS", 0.15, 0.1, "u",
-            lambda b: b.scans(1200)[1]),
+            lambda b: b.curves(1200, "scan")[1]),
         Row("scans with a speck or without a contour", 0, 0, "",
-            lambda b: b.scans(200)[2] + b.scans(1200)[2]),
+            lambda b: b.curves(200, "scan")[2] + b.curves(1200, "scan")[2]),
         Row("hanzi of strokes, rectangular nib, a glyph", 200, 120, "bytes",
             lambda b: b.rectangular_hanzi()[0]),
         Row("hanzi of strokes, rectangular nib, worst pixel", 16, 16, "/255",

@@ -1,14 +1,13 @@
-// Bitmaps: files, the distance transform, edges, noise.
+// Bitmaps: files, edges, noise.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "bitmap/bitmap.hpp"
-#include "bitmap/distance_transform.hpp"
 #include "bitmap/edge_walk.hpp"
 #include "bitmap/scan.hpp"
-#include "folders.hpp"
+#include "fixtures.hpp"
 #include "image.hpp"
 #include "model/error.hpp"
 #include "shape/shape.hpp"
@@ -36,32 +35,6 @@ MasterOptions options_for_ring() {
   options.place.px_per_em = 1024;
   options.place.origin_y = kSide;
   return options;
-}
-
-TEST(DistanceTransform, IsExact) {
-  Bitmap bitmap;
-  bitmap.width = 37;
-  bitmap.height = 23;
-  std::mt19937 random(4);
-  for (int i = 0; i < 37 * 23; ++i) {
-    bitmap.ink.push_back(random() % 12 == 0 ? 255 : 0);
-  }
-  const std::vector<float> made = signed_distances(bitmap);
-  for (int y = 0; y < bitmap.height; ++y) {
-    for (int x = 0; x < bitmap.width; ++x) {
-      const bool inside = bitmap.at(x, y) != 0;
-      double nearest = 1e9;
-      for (int v = 0; v < bitmap.height; ++v) {
-        for (int u = 0; u < bitmap.width; ++u) {
-          if ((bitmap.at(u, v) != 0) != inside) {
-            nearest = std::min(nearest, std::hypot(u - x, v - y));
-          }
-        }
-      }
-      const double truth = inside ? nearest - 0.5 : 0.5 - nearest;
-      ASSERT_NEAR(made[static_cast<size_t>(y * bitmap.width + x)], truth, 1e-4);
-    }
-  }
 }
 
 TEST(Master, ARingIsTwoCirclesOfFewCubics) {

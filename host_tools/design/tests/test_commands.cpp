@@ -1,9 +1,9 @@
 // Commands: effects and errors.
 #include <gtest/gtest.h>
 
+#include "fixtures.hpp"
 #include "model/commands.hpp"
 #include "model/contours.hpp"
-#include "model/error.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design::test {
@@ -16,16 +16,11 @@ class Commands : public testing::Test {
   Commands() { run(R"({"do": "add_glyph", "glyph": "a", "width": 500})"); }
 
   void run(const std::string& command) {
-    project_.apply(change_of(project_, Value::parse(command)));
+    test::run(project_, Value::parse(command));
   }
 
   std::string refusal_of(const std::string& command) {
-    try {
-      run(command);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { run(command); });
   }
 
   void add_square() {

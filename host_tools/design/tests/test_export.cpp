@@ -3,19 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "export/rom.hpp"
 #include "export/tables.hpp"
 #include "export/ttf.hpp"
-#include "folders.hpp"
-#include "import/font_import.hpp"
-#include "model/commands.hpp"
+#include "fixtures.hpp"
 #include "model/contours.hpp"
-#include "model/error.hpp"
 #include "pipeline/built_glyphs.hpp"
 #include "shape/shape.hpp"
-#include "source/font_source.hpp"
 
 namespace inkcell::design::test {
 namespace {
@@ -32,11 +27,15 @@ gen::SourceFont load(const std::filesystem::path& file) {
 }
 
 std::filesystem::path written(const TemporaryFolder& folder,
-                              const Project& project) {
+                              const std::vector<uint8_t>& bytes) {
   const std::filesystem::path file = folder.path() / "font.ttf";
-  const std::vector<uint8_t> bytes = write_ttf(project);
-  write_text(file, std::string(bytes.begin(), bytes.end()));
+  write_bytes(file, bytes);
   return file;
+}
+
+std::filesystem::path written(const TemporaryFolder& folder,
+                              const Project& project) {
+  return written(folder, write_ttf(project));
 }
 
 // Contours of a single point are marks in some fonts; they enclose nothing.
@@ -85,12 +84,9 @@ TEST_P(Face, OpenedAndExportedIsTheSame) {
   const std::filesystem::path source =
       std::string("/usr/share/fonts/truetype/") + GetParam();
   const gen::SourceFont before = load(source);
-  gen::CharSet characters;
-  gen::add_ranges(kCharacters, characters);
-  gen::Warnings warnings;
   const TemporaryFolder folder;
   const gen::SourceFont after =
-      load(written(folder, import_font(source, characters, warnings)));
+      load(written(folder, face(GetParam(), kCharacters)));
   EXPECT_EQ(after.name, before.name);
   EXPECT_EQ(after.metrics.ascender, before.metrics.ascender);
   EXPECT_EQ(after.metrics.descender, before.metrics.descender);
@@ -127,15 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
 // Cubics become quadratics without a visible difference.
 TEST(Ttf, CubicsKeepTheirShape) {
   Project project;
-  Glyph glyph;
-  glyph.name = "a";
-  glyph.width = 600;
-  glyph.unicodes = {U'a'};
-  glyph.contours.push_back(parse_contour(Value::parse(
-      R"([[100,0,"curve"],[100,200,"offcurve"],[600,300,"offcurve"],
-          [500,700,"curve"],[300,900,"offcurve"],[-300,400,"offcurve"]])")));
-  const gen::Shape before(outline_of(project, glyph));
-  project.front().glyphs["a"] = std::make_shared<const Glyph>(glyph);
+  add_glyph(project, "a", {U'a'},
+            R"([[[100,0,"curve"],[100,200,"offcurve"],[600,300,"offcurve"],
+            [500,700,"curve"],[300,900,"offcurve"],[-300,400,"offcurve"]]])");
+  const gen::Shape before(outline_of(project, *project.glyph("a")));
   const TemporaryFolder folder;
   const gen::SourceFont font = load(written(folder, project));
   ASSERT_EQ(font.glyphs.size(), 2u);
@@ -147,17 +138,9 @@ TEST(Ttf, CubicsKeepTheirShape) {
   }
 }
 
-Project kerned() {
-  gen::CharSet characters;
-  gen::add_ranges("0x20-0x7E,0xC0-0xFF", characters);
-  gen::Warnings warnings;
-  return import_font("/usr/share/fonts/truetype/lato/Lato-Regular.ttf",
-                     characters, warnings);
-}
-
 // Each of kern and GPOS alone has all of the kerning.
 TEST(Ttf, KerningIsInBothTables) {
-  const Project project = kerned();
+  const Project project = face("lato/Lato-Regular.ttf", "0x20-0x7E,0xC0-0xFF");
   const KerningLookup lookup(*project.font);
   for (const std::string table : {"kern", "GPOS"}) {
     std::vector<uint8_t> bytes = write_ttf(project);
@@ -166,9 +149,7 @@ TEST(Ttf, KerningIsInBothTables) {
     ASSERT_NE(tag, bytes.end());
     *tag = 'x';
     const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "font.ttf";
-    write_text(file, std::string(bytes.begin(), bytes.end()));
-    const gen::SourceFont font = load(file);
+    const gen::SourceFont font = load(written(folder, bytes));
     size_t pairs = 0;
     for (size_t i = 1; i < font.glyphs.size(); ++i) {
       for (size_t k = 1; k < font.glyphs.size(); ++k) {
@@ -194,32 +175,17 @@ TEST(Ttf, KerningIsInBothTables) {
 
 TEST(Ttf, LeavesOutPartsAndDrawsNotdef) {
   Project project;
-  const auto add = [&project](const std::string& name,
-                              std::vector<char32_t> unicodes,
-                              std::vector<ComponentUse> components = {}) {
-    Glyph glyph;
-    glyph.name = name;
-    glyph.width = 500;
-    glyph.unicodes = std::move(unicodes);
-    glyph.components = std::move(components);
-    if (glyph.components.empty()) {
-      glyph.contours = {parse_contour(Value::parse("[[0,0],[99,0],[9,99]]"))};
-    }
-    project.front().glyphs[name] =
-        std::make_shared<const Glyph>(std::move(glyph));
-  };
-  add("_stem", {});
-  add("accent", {});
-  add("unused", {});
-  add("A", {U'A'}, {{"_stem", {}, ""}});
-  add("B", {U'B'}, {{"accent", {}, ""}});
+  const char* triangle = "[[[0,0],[99,0],[9,99]]]";
+  add_glyph(project, "_stem", {}, triangle);
+  add_glyph(project, "accent", {}, triangle);
+  add_glyph(project, "unused", {}, triangle);
+  add_glyph(project, "A", {U'A'}, "[]", {{"_stem", {}, ""}});
+  add_glyph(project, "B", {U'B'}, "[]", {{"accent", {}, ""}});
   TtfReport report;
   const TemporaryFolder folder;
   const std::vector<uint8_t> bytes = write_ttf(project, &report);
   EXPECT_EQ(report.left_out, (std::vector<std::string>{"_stem", "unused"}));
-  const std::filesystem::path file = folder.path() / "font.ttf";
-  write_text(file, std::string(bytes.begin(), bytes.end()));
-  const gen::SourceFont font = load(file);
+  const gen::SourceFont font = load(written(folder, bytes));
   ASSERT_EQ(font.glyphs.size(), 4u);  // .notdef, A, B and its component
   EXPECT_EQ(font.glyphs[0].outline.contours.size(), 2u);
   EXPECT_FALSE(gen::Shape(font.glyphs[0].outline).empty());
@@ -232,20 +198,18 @@ TEST(Ttf, LeavesOutPartsAndDrawsNotdef) {
 TEST(Ttf, HeightsAndNoticesStayAsTheyWere) {
   for (const char* name : {"lato/Lato-BoldItalic.ttf", "dejavu/DejaVuSans.ttf",
                            "roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"}) {
-    gen::CharSet characters = {U'A'};
-    gen::Warnings warnings;
-    Project before = import_font(
-        std::string("/usr/share/fonts/truetype/") + name, characters, warnings);
+    Project before = face(name, "A");
     for (const char* selection : {"[]", "[7]"}) {
-      before.apply(change_of(before, {{"do", "set_info"},
-                                      {"key", "openTypeOS2Selection"},
-                                      {"value", Value::parse(selection)}}));
-      before.apply(change_of(before, {{"do", "set_info"},
-                                      {"key", "openTypeOS2TypoLineGap"},
-                                      {"value", 123}}));
+      run(before, {{"do", "set_info"},
+                   {"key", "openTypeOS2Selection"},
+                   {"value", Value::parse(selection)}});
+      run(before, {{"do", "set_info"},
+                   {"key", "openTypeOS2TypoLineGap"},
+                   {"value", 123}});
       const TemporaryFolder folder;
+      gen::Warnings warnings;
       const Project after =
-          import_font(written(folder, before), characters, warnings);
+          import_font(written(folder, before), {U'A'}, warnings);
       Value info = after.font->info;
       // The height that counts depends on the selection.
       for (const char* key : {"ascender", "descender"}) {
@@ -264,18 +228,9 @@ TEST(Ttf, HeightsAndNoticesStayAsTheyWere) {
 
 TEST(Ttf, NamesTheGlyphThatDoesNotFit) {
   Project project;
-  Glyph glyph;
-  glyph.name = "huge";
-  glyph.unicodes = {U'h'};
-  glyph.contours.push_back(
-      parse_contour(Value::parse("[[0,0],[40000,0],[0,10]]")));
-  project.front().glyphs["huge"] = std::make_shared<const Glyph>(glyph);
-  try {
-    write_ttf(project);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("glyph 'huge': ", 0), 0u);
-  }
+  add_glyph(project, "huge", {U'h'}, "[[[0,0],[40000,0],[0,10]]]");
+  const std::string refusal = refusal_of([&] { write_ttf(project); });
+  EXPECT_EQ(refusal.rfind("glyph 'huge': ", 0), 0u);
 }
 
 // Composite glyphs, drawn by FreeType.
@@ -291,15 +246,7 @@ class Components : public testing::Test {
   void add(const std::string& name,
            const char* contours,
            const std::vector<ComponentUse>& components = {}) {
-    Glyph glyph;
-    glyph.name = name;
-    glyph.width = 600;
-    glyph.unicodes = {U'A' + static_cast<char32_t>(count_++)};
-    for (const Value& contour : Value::parse(contours)) {
-      glyph.contours.push_back(parse_contour(contour));
-    }
-    glyph.components = components;
-    project_.front().glyphs[name] = std::make_shared<const Glyph>(glyph);
+    add_glyph(project_, name, {U'A' + count_++}, contours, components);
   }
 
   static ComponentUse use(const char* base, const Matrix& matrix) {
@@ -342,7 +289,7 @@ class Components : public testing::Test {
   }
 
   Project project_;
-  int count_ = 0;
+  char32_t count_ = 0;
 };
 
 TEST_F(Components, StayReferences) {
@@ -383,12 +330,8 @@ TEST_F(Components, AreReferencesInAnInkcellFont) {
 
 TEST_F(Components, NameWhatIsWrong) {
   add("loop", "[]", {use("loop", {})});
-  try {
-    write_ttf(project_);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("glyph 'loop': ", 0), 0u);
-  }
+  const std::string refusal = refusal_of([&] { write_ttf(project_); });
+  EXPECT_EQ(refusal.rfind("glyph 'loop': ", 0), 0u);
 }
 
 TEST(Kerning, PairsOfGlyphsComeBeforeGroups) {
@@ -406,17 +349,7 @@ TEST(Kerning, PairsOfGlyphsComeBeforeGroups) {
 // A font that reuses built glyphs, beside the same font built anew.
 class Rebuilt : public testing::Test {
  protected:
-  Rebuilt() {
-    gen::CharSet characters;
-    gen::add_ranges("A-F,0xC1", characters);
-    gen::Warnings warnings;
-    project_ = import_font("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                           characters, warnings);
-  }
-
-  void change(const Value& command) {
-    project_.apply(change_of(project_, command));
-  }
+  void change(const Value& command) { run(project_, command); }
 
   // Outlines that were reused.
   size_t reused() {
@@ -435,7 +368,7 @@ class Rebuilt : public testing::Test {
     return glyphs_.reused();
   }
 
-  Project project_;
+  Project project_ = face("dejavu/DejaVuSans.ttf", "A-F,0xC1");
   gen::GenerateRequest request_;
   gen::BuiltGlyphs glyphs_;
 };

@@ -3,9 +3,8 @@
 
 #include <fstream>
 
-#include "folders.hpp"
+#include "fixtures.hpp"
 #include "journal/session.hpp"
-#include "model/error.hpp"
 #include "random_commands.hpp"
 #include "ufo/glif.hpp"
 #include "ufo/ufo.hpp"
@@ -13,9 +12,13 @@
 namespace inkcell::design::test {
 namespace {
 
+const Value kWide = {{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}};
+
 class Journal : public testing::Test {
  protected:
   Journal() : path_(folder_.path() / "Test.ufo") { make_foreign_ufo(path_); }
+
+  Session open() const { return {path_, JournalFile::Flush::never}; }
 
   std::string digest(const Session& session) {
     return digest_of(ufo_texts(session.project(), session.files()));
@@ -50,7 +53,7 @@ TEST_F(Journal, HundredThousandCommandsUndoneAndRedone) {
 TEST_F(Journal, ReplayGivesWhatTheSessionHad) {
   std::string before;
   {
-    Session session(path_, JournalFile::Flush::never);
+    Session session = open();
     RandomCommands random(2);
     std::mt19937 chance(3);
     for (int i = 0; i < 3000; ++i) {
@@ -67,7 +70,7 @@ TEST_F(Journal, ReplayGivesWhatTheSessionHad) {
     }
     before = digest(session);
   }  // a crash: not closed
-  Session session(path_, JournalFile::Flush::never);
+  Session session = open();
   EXPECT_EQ(digest(session), before);
   session.save();
   session.close();
@@ -80,10 +83,9 @@ TEST_F(Journal, ReplayGivesWhatTheSessionHad) {
 TEST_F(Journal, UndoesAcrossASave) {
   std::string first;
   {
-    Session session(path_, JournalFile::Flush::never);
+    Session session = open();
     first = digest(session);
-    const Value wide = {{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}};
-    session.run(wide);
+    session.run(kWide);
     session.save();
     EXPECT_TRUE(session.undo());
     EXPECT_EQ(session.project().glyph("o")->width, 512);
@@ -93,7 +95,7 @@ TEST_F(Journal, UndoesAcrossASave) {
     EXPECT_TRUE(session.undo());
     EXPECT_FALSE(session.undo());
   }
-  Session session(path_, JournalFile::Flush::never);
+  Session session = open();
   EXPECT_EQ(session.project().glyph("o")->width, 512);
   EXPECT_EQ(session.project().glyph("A")->width, 700);
 }
@@ -102,13 +104,13 @@ TEST_F(Journal, UndoesAcrossASave) {
 TEST_F(Journal, UndoBringsAPictureBack) {
   const auto before = contents_of(path_);
   {
-    Session session(path_, JournalFile::Flush::never);
+    Session session = open();
     session.run({{"do", "set_image"}, {"glyph", "A"}});
     session.save();
     EXPECT_EQ(contents_of(path_).count("images/A.png"), 0u);
     EXPECT_TRUE(session.undo());
   }  // a crash
-  Session session(path_, JournalFile::Flush::never);
+  Session session = open();
   session.save();
   session.close();
   EXPECT_EQ(contents_of(path_)["images/A.png"], before.at("images/A.png"));
@@ -120,7 +122,7 @@ TEST_F(Journal, CutAtAnyByteRecoversTheWholeRecordsBefore) {
   constexpr int kCommands = 25;
   std::vector<std::string> states;  // after each record
   {
-    Session session(path_, JournalFile::Flush::never);
+    Session session = open();
     RandomCommands random(5);
     states.push_back(digest(session));
     for (int i = 0; i < kCommands; ++i) {
@@ -136,7 +138,7 @@ TEST_F(Journal, CutAtAnyByteRecoversTheWholeRecordsBefore) {
     write_text(file, rest);
     const auto lines = std::count(rest.begin(), rest.end(), '\n');
     const size_t commands = lines == 0 ? 0 : static_cast<size_t>(lines) - 1;
-    const Session session(path_, JournalFile::Flush::never);
+    const Session session = open();
     ASSERT_EQ(session.recovery().commands, commands) << "cut at " << cut;
     ASSERT_EQ(digest(session), states[commands]) << "cut at " << cut;
     if (cut > first) {
@@ -149,7 +151,7 @@ TEST_F(Journal, CutAtAnyByteRecoversTheWholeRecordsBefore) {
 // A flipped byte ends the journal at the record before.
 TEST_F(Journal, DamageIsFound) {
   {
-    Session session(path_, JournalFile::Flush::never);
+    Session session = open();
     RandomCommands random(6);
     for (int i = 0; i < 20; ++i) {
       session.run(random.next(session.project()));
@@ -174,8 +176,8 @@ TEST_F(Journal, ACrashWhileSavingLosesNothing) {
   const std::filesystem::path file = journal_of(path_);
   std::string wanted;
   {
-    Session session(path_, JournalFile::Flush::never);
-    session.run({{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}});
+    Session session = open();
+    session.run(kWide);
     wanted = digest(session);
   }
   JournalRecords records = read_journal(file);
@@ -185,7 +187,7 @@ TEST_F(Journal, ACrashWhileSavingLosesNothing) {
   }
   const std::string text = contents_of(folder_.path())["Test.ufo.journal"];
   {  // before the swap
-    const Session session(path_, JournalFile::Flush::never);
+    const Session session = open();
     EXPECT_EQ(digest(session), wanted);
   }
   UfoFiles files = read_ufo(path_);
@@ -195,29 +197,29 @@ TEST_F(Journal, ACrashWhileSavingLosesNothing) {
   }
   write_ufo(player.project(), path_, files);
   write_text(file, text);  // after the swap, before the journal is replaced
-  const Session session(path_, JournalFile::Flush::never);
+  const Session session = open();
   EXPECT_EQ(digest(session), wanted);
   EXPECT_FALSE(session.has_changes());
 }
 
 TEST_F(Journal, RefusesAProjectThatAnotherProgramChanged) {
   {
-    Session session(path_, JournalFile::Flush::never);
-    session.run({{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}});
+    Session session = open();
+    session.run(kWide);
   }
   write_text(path_ / "features.fea", "# changed\n");
-  EXPECT_THROW(Session(path_, JournalFile::Flush::never), Error);
+  EXPECT_THROW(open(), Error);
 }
 
 // Between two sessions without a command to recover.
 TEST_F(Journal, OpensAProjectThatAnotherProgramChanged) {
   {
-    Session session(path_, JournalFile::Flush::never);
-    session.run({{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}});
+    Session session = open();
+    session.run(kWide);
     session.save();
   }
   write_text(path_ / "features.fea", "# changed\n");
-  const Session session(path_, JournalFile::Flush::never);
+  const Session session = open();
   EXPECT_EQ(session.project().font->features, "# changed\n");
   EXPECT_EQ(session.recovery().commands, 0u);
 }
@@ -229,12 +231,8 @@ TEST_F(Journal, ScriptsAreLinesOfJson) {
              "\"width\": 900}\n{\"do\": \"undo\"}\n");
   EXPECT_EQ(read_script(file).size(), 2u);
   write_text(file, "{}\nnonsense\n");
-  try {
-    read_script(file);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind(file.string() + ":2: ", 0), 0u);
-  }
+  const std::string refusal = refusal_of([&] { read_script(file); });
+  EXPECT_EQ(refusal.rfind(file.string() + ":2: ", 0), 0u);
 }
 
 }  // namespace

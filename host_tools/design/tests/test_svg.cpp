@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "export/svg.hpp"
-#include "folders.hpp"
+#include "fixtures.hpp"
 #include "import/outline_commands.hpp"
 #include "import/svg_import.hpp"
-#include "model/commands.hpp"
 #include "model/contours.hpp"
-#include "model/error.hpp"
 #include "shape/shape.hpp"
 #include "trace/field_outline.hpp"
 
@@ -23,13 +21,8 @@ gen::Shape shape_of(const std::string& elements) {
 }
 
 std::string refusal(const std::string& elements) {
-  try {
-    shape_of(elements);
-  } catch (const Error& error) {
-    const std::string text = error.what();
-    return text.substr(text.find("drawing.svg") + 11);
-  }
-  return "";
+  const std::string text = refusal_of([&] { shape_of(elements); });
+  return text.substr(text.find("drawing.svg") + 11);
 }
 
 TEST(Svg, ErrorsNameTheFileAndTheElement) {
@@ -42,10 +35,10 @@ TEST(Svg, ErrorsNameTheFileAndTheElement) {
 // A glyph that is written as SVG and read again is the same.
 TEST(Svg, WhatIsWrittenIsRead) {
   Project project;
-  project.apply(change_of(project, {{"do", "add_glyph"}, {"glyph", "a"}}));
-  project.apply(change_of(project, Value::parse(R"({"do": "set_strokes",
-      "glyph": "a", "strokes": [{"nib": "ellipse:120,40,30", "points":
-      [[100,0],[300,600],[500,100],[200,300]]}]})")));
+  run(project, {{"do", "add_glyph"}, {"glyph", "a"}});
+  run(project, Value::parse(R"({"do": "set_strokes", "glyph": "a", "strokes":
+      [{"nib": "ellipse:120,40,30", "points":
+      [[100,0],[300,600],[500,100],[200,300]]}]})"));
   const gen::Outline before = outline_of(project, *project.glyph("a"));
   const TemporaryFolder folder;
   write_text(folder.path() / "a.svg", svg_document(before, "a"));
@@ -53,7 +46,7 @@ TEST(Svg, WhatIsWrittenIsRead) {
   use.grid = 0;
   const gen::Outline read = read_svg(folder.path() / "a.svg", DrawingPlace());
   for (const Value& command : commands_for_outline(project, "b", read, use)) {
-    project.apply(change_of(project, command));
+    run(project, command);
   }
   const GlyphPointer glyph = project.glyph("b");
   EXPECT_GT(glyph->width, 400);

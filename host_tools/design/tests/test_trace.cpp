@@ -1,7 +1,7 @@
 // From fields back to curves.
 #include <gtest/gtest.h>
 
-#include "source/font_source.hpp"
+#include "fixtures.hpp"
 #include "trace/contour_walk.hpp"
 #include "trace/corner_census.hpp"
 #include "trace/field_outline.hpp"
@@ -11,16 +11,6 @@ namespace {
 
 constexpr const char* kFont =
     "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf";
-
-gen::SourceFont letters(const char* symbols) {
-  gen::FontRequest request;
-  request.file = kFont;
-  gen::add_text(symbols, "letters", request.characters);
-  gen::Warnings warnings;
-  gen::SourceFont font = gen::load_font(request, 1, warnings);
-  font.glyphs.erase(font.glyphs.begin());
-  return font;
-}
 
 gen::Target target() {
   gen::Target options;
@@ -32,7 +22,7 @@ TEST(Trace, StaysNearTheSourceWithFewerSegments) {
   size_t segments = 0;
   size_t source_segments = 0;
   EdgeError all;
-  for (const gen::SourceGlyph& glyph : letters("ag4&").glyphs) {
+  for (const gen::SourceGlyph& glyph : letters_of(kFont, "ag4&").glyphs) {
     const gen::Shape source(glyph.outline);
     const ShapeField field(source, target());
     const gen::Outline curves =
@@ -52,7 +42,7 @@ TEST(Trace, StaysNearTheSourceWithFewerSegments) {
 }
 
 TEST(Trace, EveryLoopIsClosedAndFilledOnTheLeft) {
-  const gen::SourceFont font = letters("B");
+  const gen::SourceFont font = letters_of(kFont, "B");
   const gen::Shape source(font.glyphs[0].outline);
   const ShapeField field(source, target());
   const std::vector<Loop> loops = walk_contours(field.field());

@@ -1,9 +1,7 @@
 // UFO 3: files that are read are written again; foreign data survives.
 #include <gtest/gtest.h>
 
-#include "folders.hpp"
-#include "model/commands.hpp"
-#include "model/error.hpp"
+#include "fixtures.hpp"
 #include "ufo/file_names.hpp"
 #include "ufo/glif.hpp"
 #include "ufo/plist.hpp"
@@ -32,8 +30,7 @@ TEST_F(Ufo, OnlyTheChangedGlyphIsWrittenAnew) {
   const auto before = contents_of(path_);
   UfoFiles files = read_ufo(path_);
   Project project = files.project;
-  project.apply(change_of(
-      project, {{"do", "set_advance"}, {"glyph", "A"}, {"width", 701}}));
+  run(project, {{"do", "set_advance"}, {"glyph", "A"}, {"width", 701}});
   write_ufo(project, path_, files);
   auto after = contents_of(path_);
   const Glyph a = parse_glif(after["glyphs/A_.glif"], "A_.glif");
@@ -67,15 +64,12 @@ TEST_F(Ufo, PicturesStayWhileAGlyphNamesThem) {
   const auto before = contents_of(path_);
   UfoFiles files = read_ufo(path_);
   Project project = files.project;
-  const auto play = [&project](const Value& command) {
-    project.apply(change_of(project, command));
-  };
-  play({{"do", "set_image"}, {"glyph", "o"}, {"file", "A.png"}});
-  play({{"do", "set_image"}, {"glyph", "A"}});
+  run(project, {{"do", "set_image"}, {"glyph", "o"}, {"file", "A.png"}});
+  run(project, {{"do", "set_image"}, {"glyph", "A"}});
   write_ufo(project, path_, files);
   EXPECT_EQ(contents_of(path_)["images/A.png"], before.at("images/A.png"));
-  play({{"do", "decompose"}, {"glyph", "aacute"}});
-  play({{"do", "delete_glyph"}, {"glyph", "o"}});
+  run(project, {{"do", "decompose"}, {"glyph", "aacute"}});
+  run(project, {{"do", "delete_glyph"}, {"glyph", "o"}});
   write_ufo(project, path_, files);
   EXPECT_EQ(contents_of(path_).count("images/A.png"), 0u);
   EXPECT_EQ(contents_of(path_)["images/other.png"], "of no glyph");
@@ -92,12 +86,7 @@ TEST_F(Ufo, APictureThatIsMissingIsNoError) {
 
 TEST_F(Ufo, ErrorsNameTheFile) {
   const auto refusal = [this] {
-    try {
-      read_ufo(path_);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refusal_of([this] { read_ufo(path_); });
   };
   const std::string glif = (path_ / "glyphs/o.glif").string();
   write_text(glif, "<glyph name=\"o\">\n<outline>\n</glyph>\n");

@@ -1,10 +1,13 @@
-#include "folders.hpp"
+#include "fixtures.hpp"
 
 #include <unistd.h>
 
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "model/commands.hpp"
+#include "model/contours.hpp"
 
 namespace inkcell::design::test {
 
@@ -179,6 +182,48 @@ void make_foreign_ufo(const fs::path& folder) {
   write_text(folder / "data/com.foreign.tool/settings.bin",
              std::string("\0\1\2\xff", 4));
   write_text(folder / "images/A.png", "no picture, but bytes all the same");
+}
+
+gen::SourceFont letters_of(const fs::path& font,
+                           const std::string& characters) {
+  gen::FontRequest request;
+  request.file = font;
+  gen::add_text(characters, "letters", request.characters);
+  gen::Warnings warnings;
+  gen::SourceFont source = gen::load_font(request, 1, warnings);
+  source.glyphs.erase(source.glyphs.begin());
+  return source;
+}
+
+Project face(const std::string& file,
+             const std::string& ranges,
+             Composites composites) {
+  gen::CharSet characters;
+  gen::add_ranges(ranges, characters);
+  gen::Warnings warnings;
+  return import_font("/usr/share/fonts/truetype/" + file, characters, warnings,
+                     composites);
+}
+
+void run(Project& project, const Value& command) {
+  project.apply(change_of(project, command));
+}
+
+void add_glyph(Project& project,
+               const std::string& name,
+               std::vector<char32_t> unicodes,
+               const std::string& contours,
+               const std::vector<ComponentUse>& components) {
+  Glyph glyph;
+  glyph.name = name;
+  glyph.width = 600;
+  glyph.unicodes = std::move(unicodes);
+  glyph.components = components;
+  for (const Value& contour : Value::parse(contours)) {
+    glyph.contours.push_back(parse_contour(contour));
+  }
+  project.front().glyphs[name] =
+      std::make_shared<const Glyph>(std::move(glyph));
 }
 
 }  // namespace inkcell::design::test
