@@ -33,10 +33,7 @@ BigEndian format_4(const std::map<char32_t, unsigned>& map) {
   list.push_back({0xffff, 0xffff, 0});
   const unsigned count = static_cast<unsigned>(list.size());
   BigEndian table;
-  table.u16(4);
-  table.u16(std::min(16 + 8 * count, 65535u));
-  table.u16(0);
-  table.u16(2 * count);
+  table.words(4, std::min(16 + 8 * count, 65535u), 0, 2 * count);
   table.search(count, 2);
   for (const Run& run : list) {
     table.u16(run.last);
@@ -57,8 +54,7 @@ BigEndian format_4(const std::map<char32_t, unsigned>& map) {
 BigEndian format_12(const std::map<char32_t, unsigned>& map) {
   const std::vector<Run> list = runs(map, 0x10ffff);
   BigEndian table;
-  table.u16(12);
-  table.u16(0);
+  table.words(12, 0);
   table.u32(static_cast<uint32_t>(16 + 12 * list.size()));
   table.u32(0);
   table.u32(static_cast<uint32_t>(list.size()));
@@ -75,13 +71,10 @@ BigEndian format_12(const std::map<char32_t, unsigned>& map) {
 BigEndian cmap_table(const std::map<char32_t, unsigned>& map) {
   const BigEndian small = format_4(map);
   BigEndian table;
-  table.u16(0);
-  table.u16(2);
-  table.u16(3);  // Windows
-  table.u16(1);  // the basic plane
+  table.words(0, 2);
+  table.words(3, 1);  // Windows, the basic plane
   table.u32(20);
-  table.u16(3);
-  table.u16(10);  // all of Unicode
+  table.words(3, 10);  // all of Unicode
   table.u32(static_cast<uint32_t>(20 + small.size()));
   table.append(small);
   table.append(format_12(map));

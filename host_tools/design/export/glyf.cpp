@@ -116,9 +116,7 @@ GlyfBox box_of(const std::vector<GlyfContour>& contours) {
 
 BigEndian glyf_header(int contours, const GlyfBox& box) {
   BigEndian header;
-  for (const int value : {contours, box.x0, box.y0, box.x1, box.y1}) {
-    header.i16(value);
-  }
+  header.words(contours, box.x0, box.y0, box.x1, box.y1);
   return header;
 }
 

@@ -132,8 +132,7 @@ void add_component(const GlyfComponent& component,
     entries = {m[0]};
     flags |= kScale | kUnscaledOffset;
   }
-  record.u16(flags);
-  record.u16(id);
+  record.words(flags, id);
   for (const int offset : {component.dx, component.dy}) {
     if ((flags & kWords) != 0) {
       record.i16(offset);

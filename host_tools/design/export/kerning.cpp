@@ -15,21 +15,16 @@ constexpr size_t kMostPairs = (65535 - 14) / 6;
 constexpr size_t kMostMatrix = 24000;
 
 struct Pair {
-  unsigned left;
-  unsigned right;
+  size_t left;
+  size_t right;
   int value;
 };
 
 void add_subtable(const Pair* pairs, size_t count, BigEndian& table) {
-  table.u16(0);
-  table.u16(static_cast<unsigned>(14 + 6 * count));
-  table.u16(1);  // horizontal
-  table.u16(static_cast<unsigned>(count));
+  table.words(0, 14 + 6 * count, 1, count);  // horizontal
   table.search(count, 6);
   for (size_t i = 0; i < count; ++i) {
-    table.u16(pairs[i].left);
-    table.u16(pairs[i].right);
-    table.i16(pairs[i].value);
+    table.words(pairs[i].left, pairs[i].right, pairs[i].value);
   }
 }
 
@@ -39,8 +34,7 @@ std::vector<Pair> pairs_of(const gen::KerningMatrix& kerning) {
     for (size_t right = 0; right < kerning.right_class.size(); ++right) {
       const int value = kerning.value(left, right);
       if (value != 0) {
-        pairs.push_back(
-            {static_cast<unsigned>(left), static_cast<unsigned>(right), value});
+        pairs.push_back({left, right, value});
       }
     }
   }
@@ -60,16 +54,13 @@ BigEndian class_definition(const std::vector<uint16_t>& classes,
       ++end;
     }
     if (classes[i] > first && classes[i] <= last) {
-      ranges.u16(static_cast<unsigned>(i));
-      ranges.u16(static_cast<unsigned>(end - 1));
-      ranges.u16(static_cast<unsigned>(classes[i] - 1 - first + base));
+      ranges.words(i, end - 1, classes[i] - 1 - first + base);
       ++count;
     }
     i = end;
   }
   BigEndian table;
-  table.u16(2);
-  table.u16(count);
+  table.words(2, count);
   table.append(ranges);
   return table;
 }
@@ -87,8 +78,7 @@ BigEndian pair_classes(const gen::KerningMatrix& kerning,
     }
   }
   BigEndian coverage;
-  coverage.u16(1);
-  coverage.u16(0);
+  coverage.words(1, 0);
   for (size_t i = 0; i < kerning.left_class.size(); ++i) {
     if (kerning.left_class[i] > first && kerning.left_class[i] <= last) {
       coverage.u16(static_cast<unsigned>(i));
@@ -101,11 +91,8 @@ BigEndian pair_classes(const gen::KerningMatrix& kerning,
     throw Error("the kerning has too many glyphs of one class for GPOS");
   }
   BigEndian table;
-  for (const size_t value :
-       {size_t{2}, at, size_t{4}, size_t{0}, at + coverage.size(),
-        at + coverage.size() + left.size(), last - first, columns + 1}) {
-    table.u16(static_cast<unsigned>(value));
-  }
+  table.words(2, at, 4, 0, at + coverage.size(),
+              at + coverage.size() + left.size(), last - first, columns + 1);
   table.append(matrix);
   table.append(coverage);
   table.append(left);
@@ -194,8 +181,7 @@ BigEndian kern_table(const gen::KerningMatrix& kerning) {
   const std::vector<Pair> pairs = pairs_of(kerning);
   BigEndian table;
   const size_t subtables = (pairs.size() + kMostPairs - 1) / kMostPairs;
-  table.u16(0);
-  table.u16(static_cast<unsigned>(subtables));
+  table.words(0, subtables);
   for (size_t first = 0; first < pairs.size(); first += kMostPairs) {
     add_subtable(pairs.data() + first,
                  std::min(kMostPairs, pairs.size() - first), table);
@@ -216,30 +202,20 @@ BigEndian gpos_table(const gen::KerningMatrix& kerning) {
   }
   BigEndian table;
   table.u32(0x00010000);
-  table.u16(10);  // scripts
-  table.u16(30);  // features
-  table.u16(44);  // lookups
-  table.u16(1);
+  table.words(10, 30, 44, 1);  // scripts, features, lookups
   table.text("DFLT");
-  table.u16(8);
-  for (const unsigned value : {4u, 0u, 0u, 0xffffu, 1u, 0u}) {
-    table.u16(value);  // its one language has the first feature
-  }
+  table.words(8, 4, 0, 0, 0xffff, 1, 0);  // one language with one feature
   table.u16(1);
   table.text("kern");
-  table.u16(8);
-  for (const unsigned value : {0u, 1u, 0u, 1u, 4u, 9u, 0u}) {
-    table.u16(value);  // the first lookup: extensions
+  table.words(8, 0, 1, 0, 1, 4, 9, 0);  // the first lookup: extensions
+  const size_t count = subtables.size();
+  table.words(count);
+  for (size_t i = 0; i < count; ++i) {
+    table.words(6 + 2 * count + 8 * i);
   }
-  const auto count = static_cast<unsigned>(subtables.size());
-  table.u16(count);
-  for (unsigned i = 0; i < count; ++i) {
-    table.u16(6 + 2 * count + 8 * i);
-  }
-  size_t at = 8 * subtables.size();
-  for (size_t i = 0; i < subtables.size(); ++i) {
-    table.u16(1);
-    table.u16(2);  // pairs
+  size_t at = 8 * count;
+  for (size_t i = 0; i < count; ++i) {
+    table.words(1, 2);  // pairs
     table.u32(static_cast<uint32_t>(at - 8 * i));
     at += subtables[i].size();
   }

@@ -17,6 +17,11 @@ class BigEndian {
     u8(value & 0xff);
   }
   void i16(int value) { u16(static_cast<unsigned>(value) & 0xffff); }
+  /// Several numbers of 16 bits, with or without a sign.
+  template <typename... Numbers>
+  void words(Numbers... numbers) {
+    (u16(static_cast<unsigned>(numbers) & 0xffff), ...);
+  }
   void u32(uint32_t value) {
     u16(value >> 16);
     u16(value & 0xffff);
@@ -29,9 +34,7 @@ class BigEndian {
       ++log2;
     }
     const unsigned searched = bytes_an_entry << log2;
-    u16(searched);
-    u16(log2);
-    u16(bytes_an_entry * static_cast<unsigned>(count) - searched);
+    words(searched, log2, bytes_an_entry * count - searched);
   }
   void u64(uint64_t value) {
     u32(static_cast<uint32_t>(value >> 32));

@@ -205,19 +205,13 @@ class TtfWriter {
     table.u32(0x00010000);  // revision
     table.u32(0);           // write_sfnt() fills it in
     table.u32(0x5f0f3cf5);
-    table.u16(0x000b);  // baseline and bearing at 0, whole numbers of px
-    table.u16(static_cast<unsigned>(em()));
+    table.words(0x000b, em());  // baseline and bearing at 0, whole px
     table.u64(kDate);
     table.u64(kDate);
-    table.i16(least(&GlyfBox::x0));
-    table.i16(least(&GlyfBox::y0));
-    table.i16(most(&GlyfBox::x1));
-    table.i16(most(&GlyfBox::y1));
+    table.words(least(&GlyfBox::x0), least(&GlyfBox::y0), most(&GlyfBox::x1),
+                most(&GlyfBox::y1));
     table.u16((is_style("bold") ? 1u : 0u) | (is_style("italic") ? 2u : 0u));
-    table.u16(6);  // least size
-    table.i16(2);
-    table.i16(1);  // long offsets
-    table.i16(0);
+    table.words(6, 2, 1, 0);  // least size; long offsets
     return table;
   }
 
@@ -241,26 +235,17 @@ class TtfWriter {
     }
     BigEndian table;
     table.u32(0x00010000);
-    table.i16(ascender());
-    table.i16(descender());
-    table.i16(line_gap());
-    table.u16(static_cast<unsigned>(widest));
-    table.i16(left == 32767 ? 0 : left);
-    table.i16(right == 32767 ? 0 : std::max(right, -32768));
-    table.i16(extent);
-    table.i16(1);  // caret upright
-    for (int i = 0; i < 7; ++i) {
-      table.i16(0);
-    }
-    table.u16(static_cast<unsigned>(glyphs_.size()));
+    table.words(ascender(), descender(), line_gap(), widest,
+                left == 32767 ? 0 : left,
+                right == 32767 ? 0 : std::max(right, -32768), extent);
+    table.words(1, 0, 0, 0, 0, 0, 0, 0, glyphs_.size());  // caret upright
     return table;
   }
 
   BigEndian hmtx() const {
     BigEndian table;
     for (const ExportGlyph& glyph : glyphs_) {
-      table.u16(static_cast<unsigned>(glyph.advance));
-      table.i16(glyph.box.x0);
+      table.words(glyph.advance, glyph.box.x0);
     }
     return table;
   }
@@ -283,17 +268,8 @@ class TtfWriter {
     }
     BigEndian table;
     table.u32(0x00010000);
-    table.u16(static_cast<unsigned>(glyphs_.size()));
-    for (size_t kind = 0; kind < 2; ++kind) {
-      table.u16(static_cast<unsigned>(points[kind]));
-      table.u16(static_cast<unsigned>(contours[kind]));
-    }
-    table.u16(2);  // zones
-    for (int i = 0; i < 6; ++i) {
-      table.u16(0);
-    }
-    table.u16(static_cast<unsigned>(components));
-    table.u16(static_cast<unsigned>(depth));
+    table.words(glyphs_.size(), points[0], contours[0], points[1], contours[1]);
+    table.words(2, 0, 0, 0, 0, 0, 0, components, depth);  // two zones
     return table;
   }
 
@@ -309,11 +285,9 @@ class TtfWriter {
       }
     }
     BigEndian table;
-    table.u16(4);
-    table.i16(count == 0 ? 0 : std::min(sum / count, 32767));
-    table.u16(static_cast<unsigned>(info("openTypeOS2WeightClass", 400)));
-    table.u16(static_cast<unsigned>(info("openTypeOS2WidthClass", 5)));
-    table.u16(bits("openTypeOS2Type"));
+    table.words(4, count == 0 ? 0 : std::min(sum / count, 32767),
+                info("openTypeOS2WeightClass", 400),
+                info("openTypeOS2WidthClass", 5), bits("openTypeOS2Type"));
     for (const double part : {0.65, 0.7, 0.0, 0.14, 0.65, 0.7, 0.0, 0.48, 0.05,
                               0.26}) {  // sub-, superscripts, strike-out
       table.i16(static_cast<int>(part * em()));
@@ -329,23 +303,17 @@ class TtfWriter {
     table.text(vendor);
     const unsigned style =
         (is_style("italic") ? 1u : 0u) | (is_style("bold") ? 0x20u : 0u);
-    table.u16(bits("openTypeOS2Selection") | (style == 0 ? 0x40 : style));
-    table.u16(static_cast<unsigned>(std::min<char32_t>(first, 0xffff)));
-    table.u16(static_cast<unsigned>(std::min<char32_t>(last, 0xffff)));
-    table.i16(info("openTypeOS2TypoAscender", ascender()));
-    table.i16(info("openTypeOS2TypoDescender", descender()));
-    table.i16(info("openTypeOS2TypoLineGap", line_gap()));
-    table.u16(static_cast<unsigned>(
-        std::max(info("openTypeOS2WinAscent", most(&GlyfBox::y1)), 0)));
-    table.u16(static_cast<unsigned>(
-        std::max(info("openTypeOS2WinDescent", -least(&GlyfBox::y0)), 0)));
+    table.words(
+        bits("openTypeOS2Selection") | (style == 0 ? 0x40 : style),
+        std::min<char32_t>(first, 0xffff), std::min<char32_t>(last, 0xffff),
+        info("openTypeOS2TypoAscender", ascender()),
+        info("openTypeOS2TypoDescender", descender()),
+        info("openTypeOS2TypoLineGap", line_gap()),
+        std::max(info("openTypeOS2WinAscent", most(&GlyfBox::y1)), 0),
+        std::max(info("openTypeOS2WinDescent", -least(&GlyfBox::y0)), 0));
     table.u32(1);  // code page of Latin 1
     table.u32(0);
-    table.i16(info("xHeight", 0));
-    table.i16(info("capHeight", 0));
-    table.u16(0);
-    table.u16(32);
-    table.u16(2);
+    table.words(info("xHeight", 0), info("capHeight", 0), 0, 32, 2);
     return table;
   }
 
@@ -394,24 +362,17 @@ class TtfWriter {
       BigEndian utf16;
       for (const char32_t c : tools::from_utf8(value)) {
         if (c > 0xffff) {
-          utf16.u16(0xd800 + ((c - 0x10000) >> 10));
-          utf16.u16(0xdc00 + ((c - 0x10000) & 0x3ff));
+          utf16.words(0xd800 + ((c - 0x10000) >> 10),
+                      0xdc00 + ((c - 0x10000) & 0x3ff));
         } else {
           utf16.u16(c);
         }
       }
-      records.u16(3);
-      records.u16(1);
-      records.u16(0x409);
-      records.u16(id);
-      records.u16(static_cast<unsigned>(utf16.size()));
-      records.u16(static_cast<unsigned>(strings.size()));
+      records.words(3, 1, 0x409, id, utf16.size(), strings.size());
       strings.append(utf16);
     }
     BigEndian table;
-    table.u16(0);
-    table.u16(static_cast<unsigned>(entries.size()));
-    table.u16(static_cast<unsigned>(6 + records.size()));
+    table.words(0, entries.size(), 6 + records.size());
     table.append(records);
     table.append(strings);
     return table;
@@ -421,12 +382,9 @@ class TtfWriter {
     BigEndian table;
     table.u32(0x00020000);
     table.u32(static_cast<uint32_t>(info("italicAngle", 0) * 65536));
-    table.i16(info("postscriptUnderlinePosition", -0.1 * em()));
-    table.i16(info("postscriptUnderlineThickness", 0.05 * em()));
-    for (int i = 0; i < 5; ++i) {
-      table.u32(0);
-    }
-    table.u16(static_cast<unsigned>(glyphs_.size()));
+    table.words(info("postscriptUnderlinePosition", -0.1 * em()),
+                info("postscriptUnderlineThickness", 0.05 * em()));
+    table.words(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, glyphs_.size());
     BigEndian names;
     for (size_t i = 0; i < glyphs_.size(); ++i) {
       table.u16(static_cast<unsigned>(258 + i));  // after Apple's standard ones
