@@ -51,41 +51,27 @@ Value restore_record(const Change& change, bool after) {
   return record;
 }
 
-void History::add(Change change) {
-  steps_.resize(position_);
-  steps_.push_back(std::move(change));
-  ++position_;
-}
-
-const Change* History::last() const {
-  return position_ == 0 ? nullptr : &steps_[position_ - 1];
-}
-
-const Change* History::next() const {
-  return position_ == steps_.size() ? nullptr : &steps_[position_];
-}
-
 bool Player::undo() {
-  const Change* step = history_.last();
-  if (step != nullptr) {
-    project_.revert(*step);
-    history_.step_back();
+  if (done_ == 0) {
+    return false;
   }
-  return step != nullptr;
+  project_.revert(steps_[--done_]);
+  return true;
 }
 
 bool Player::redo() {
-  const Change* step = history_.next();
-  if (step != nullptr) {
-    project_.apply(*step);
-    history_.step_on();
+  if (done_ == steps_.size()) {
+    return false;
   }
-  return step != nullptr;
+  project_.apply(steps_[done_++]);
+  return true;
 }
 
 void Player::apply(Change change) {
   project_.apply(change);
-  history_.add(std::move(change));
+  steps_.resize(done_);
+  steps_.push_back(std::move(change));
+  ++done_;
 }
 
 void Player::restore(const Value& record) {

@@ -46,7 +46,7 @@ void Session::begin_journal() {
   journal_ = std::make_unique<JournalFile>(
       journal_path_, fs::file_size(journal_path_), flush_);
   records_ = 0;
-  base_ = player_->history().position();
+  base_ = player_->done();
 }
 
 void Session::recover(const std::string& digest) {
@@ -83,35 +83,24 @@ void Session::run(const Value& command) {
 }
 
 void Session::run(const Value& command, Change change) {
-  const size_t position = player_->history().position();
+  const size_t position = player_->done();
   journal_->append(command);
   player_->apply(std::move(change));
   ++records_;
   base_ = std::min(base_, position);
 }
 
-bool Session::undo() {
-  const Change* step = player_->history().last();
+// A step before the journal began is written out.
+bool Session::step(bool is_redo) {
+  const Change* step = is_redo ? player_->next() : player_->last();
   if (step == nullptr) {
     return false;
   }
-  const bool is_held = player_->history().position() > base_;
-  journal_->append(is_held ? Value{{"do", "undo"}}
-                           : restore_record(*step, false));
+  const bool is_held = player_->done() + (is_redo ? 1 : 0) > base_;
+  journal_->append(is_held ? Value{{"do", is_redo ? "redo" : "undo"}}
+                           : restore_record(*step, is_redo));
   ++records_;
-  return player_->undo();
-}
-
-bool Session::redo() {
-  const Change* step = player_->history().next();
-  if (step == nullptr) {
-    return false;
-  }
-  const bool is_held = player_->history().position() >= base_;
-  journal_->append(is_held ? Value{{"do", "redo"}}
-                           : restore_record(*step, true));
-  ++records_;
-  return player_->redo();
+  return is_redo ? player_->redo() : player_->undo();
 }
 
 void Session::save() {

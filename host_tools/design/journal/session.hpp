@@ -12,24 +12,6 @@
 
 namespace inkcell::design {
 
-/// Steps that can be undone.
-class History {
- public:
-  /// Discards undone steps.
-  void add(Change change);
-  /// The step to undo or to redo; null if there is none. Valid until add().
-  const Change* last() const;
-  const Change* next() const;
-  void step_back() { --position_; }
-  void step_on() { ++position_; }
-
-  size_t position() const { return position_; }
-
- private:
-  std::vector<Change> steps_;
-  size_t position_ = 0;  // steps done
-};
-
 /// Runs the records of a journal or a script: commands, undo, redo, and other
 /// records of a session.
 class Player {
@@ -40,19 +22,28 @@ class Player {
   void play(const Value& record);
 
   const Project& project() const { return project_; }
-  const History& history() const { return history_; }
+  /// The step to undo or to redo; null if there is none. Valid until apply().
+  const Change* last() const {
+    return done_ == 0 ? nullptr : &steps_[done_ - 1];
+  }
+  const Change* next() const {
+    return done_ == steps_.size() ? nullptr : &steps_[done_];
+  }
+  /// Steps that undo() takes back.
+  size_t done() const { return done_; }
 
   /// False if there is nothing to undo or redo.
   bool undo();
   bool redo();
-  /// Applies a change that can be undone.
+  /// Applies a change that can be undone. Discards undone steps.
   void apply(Change change);
 
  private:
   void restore(const Value& record);
 
   Project project_;
-  History history_;
+  std::vector<Change> steps_;
+  size_t done_ = 0;
 };
 
 /// The state of all that `change` touches, after it or before it, as a record:
@@ -83,8 +74,8 @@ class Session {
   void run(const Value& command);
   /// The same if change_of(project(), command) is known.
   void run(const Value& command, Change change);
-  bool undo();
-  bool redo();
+  bool undo() { return step(false); }
+  bool redo() { return step(true); }
 
   /// Writes the project and empties the journal. After a crash at any moment
   /// there is either the old project and its journal, or the new project.
@@ -97,6 +88,7 @@ class Session {
  private:
   void begin_journal();
   void recover(const std::string& digest);
+  bool step(bool is_redo);
 
   std::filesystem::path journal_path_;
   JournalFile::Flush flush_;
