@@ -27,8 +27,8 @@ struct Bitmap {
 /// The PNG in `bytes`, as read_bitmap() reads it; `name` is for messages.
 Bitmap parse_png(const std::vector<uint8_t>& bytes, const std::string& name);
 
-/// Reads PNG, PBM or PGM; dark pixels are ink, transparent ones are not. Throws
-/// Error that names the file.
+/// Reads a PNG; dark pixels are ink, transparent ones are not. Throws Error
+/// that names the file.
 Bitmap read_bitmap(const std::filesystem::path& file);
 
 /// The threshold that divides the histogram best (Otsu 1979).

@@ -16,7 +16,6 @@ void add_import_svg(CLI::App& app, Work& work);
 void add_replay(CLI::App& app, Work& work);
 void add_roundtrip(CLI::App& app, Work& work);
 void add_script(CLI::App& app, Work& work);
-void add_stroke(CLI::App& app, Work& work);
 void add_trace(CLI::App& app, Work& work);
 
 }  // namespace inkcell::design

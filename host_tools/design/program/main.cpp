@@ -15,7 +15,6 @@ int main(int argc, char** argv) {
   add_replay(app, work);
   add_roundtrip(app, work);
   add_script(app, work);
-  add_stroke(app, work);
   add_trace(app, work);
   return inkcell::tools::run_program(app, argc, argv, [&work] {
     work();

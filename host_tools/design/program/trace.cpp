@@ -100,11 +100,9 @@ void add_trace(CLI::App& app, Work& work) {
   CLI::App* command = app.add_subcommand(
       "trace",
       "Turn a bitmap master, of ink and none or of greys, into curves");
-  command
-      ->add_option("--master", arguments->master,
-                   "PNG, PBM or PGM; dark is ink")
+  command->add_option("--master", arguments->master, "A PNG; dark is ink")
       ->required()
-      ->type_name("BITMAP");
+      ->type_name("FILE.png");
   arguments->options.place.px_per_em = 0;
   CLI::Option* px_per_em =
       command

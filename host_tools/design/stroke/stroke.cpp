@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "outlines/curves.hpp"
@@ -22,51 +20,16 @@ constexpr double kPolygonCorner = 0.2;
 constexpr double kPolygonReach_u = 0.8;
 constexpr double kPolygonSpacing_u = 1.5;
 
-double number(const std::string& word, const std::string& where) {
-  try {
-    size_t used = 0;
-    const double value = std::stod(word, &used);
-    if (used == word.size() && std::isfinite(value)) {
-      return value;
-    }
-  } catch (const std::logic_error&) {
-    // the message below
-  }
-  throw Error(where + ": '" + word + "' is no number");
-}
-
-StrokePoint parse_point(const std::vector<std::string>& words,
-                        const std::string& where) {
-  if (words.size() < 2 || words.size() > 5) {
-    throw Error(where +
-                ": a point of a path is x y [width [height [angle]]], such as "
-                "100 250 80 - 45");
-  }
-  StrokePoint point;
-  point.at = {number(words[0], where), number(words[1], where)};
-  const auto change = [&](size_t i) {
-    return i < words.size() && words[i] != "-"
-               ? std::optional<double>(number(words[i], where))
-               : std::nullopt;
-  };
-  point.width = change(2);
-  point.height = change(3);
-  point.angle = change(4);
-  if (point.angle) {
-    *point.angle *= gen::kDegree;
-  }
-  return point;
-}
-
 // A value of the nib at every point, interpolated between points that set it.
 std::vector<double> spread(const Stroke& stroke,
                            std::optional<double> StrokePoint::*member,
                            double otherwise) {
   const std::vector<StrokePoint>& points = stroke.points;
-  std::vector<double> lengths(points.size(), 0);
-  for (size_t i = 1; i < points.size(); ++i) {
-    lengths[i] = lengths[i - 1] + length(points[i].at - points[i - 1].at);
+  std::vector<Point> places;
+  for (const StrokePoint& point : points) {
+    places.push_back(point.at);
   }
+  const std::vector<double> lengths = arc_lengths(places);
   std::vector<double> values(points.size(), otherwise);
   std::optional<size_t> last;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -109,9 +72,9 @@ class Easing {
       // The harmonic mean, by the lengths of both sides.
       const double before = lengths_[i == 0 ? 0 : i - 1];
       const double after = lengths_[std::min(i, pieces - 1)];
-      slopes_.push_back(3 * (before + after) /
-                        ((2 * after + before) / in +
-                         (after + 2 * before) / out));
+      slopes_.push_back(
+          3 * (before + after) /
+          ((2 * after + before) / in + (after + 2 * before) / out));
     }
   }
 
@@ -222,44 +185,6 @@ Stroke parse_stroke(const Value& value, double scale) {
   return stroke;
 }
 
-std::vector<Stroke> read_strokes(const std::filesystem::path& file,
-                                 const Nib& nib) {
-  std::ifstream in(file);
-  if (!in) {
-    throw Error(file.string() + ": cannot be read");
-  }
-  std::vector<Stroke> strokes;
-  Stroke stroke;
-  stroke.nib = nib;
-  const auto finish = [&] {
-    if (!stroke.points.empty()) {
-      strokes.push_back(stroke);
-    }
-    stroke.points.clear();
-  };
-  std::string line;
-  for (size_t count = 1; std::getline(in, line); ++count) {
-    line = line.substr(0, line.find('#'));
-    std::istringstream words(line);
-    std::vector<std::string> list;
-    for (std::string word; words >> word;) {
-      list.push_back(word);
-    }
-    if (list.empty()) {
-      finish();
-    } else {
-      stroke.points.push_back(
-          parse_point(list, file.string() + ":" + std::to_string(count)));
-    }
-  }
-  finish();
-  if (strokes.empty()) {
-    throw Error(file.string() +
-                ": holds no point; write x y on each line, in 1/1024 em");
-  }
-  return strokes;
-}
-
 std::vector<Nib> nibs_of(const Stroke& stroke) {
   const std::vector<double> width =
       spread(stroke, &StrokePoint::width, stroke.nib.width);
@@ -293,9 +218,7 @@ NibPath fit_path(const Stroke& stroke, double tolerance) {
   }
   NibPath path;
   if (points.size() == 1) {
-    gen::Segment dot;
-    dot.p[0] = dot.p[1] = points[0];
-    path.pieces = {dot};
+    path.pieces = {gen::line_segment(points[0], points[0])};
     path.nibs = {nibs[0], nibs[0]};
     return path;
   }
@@ -341,10 +264,8 @@ gen::Outline outline_of_polygons(
   for (const std::vector<Point>& polygon : polygons) {
     gen::Contour contour;
     for (size_t i = 0; i < polygon.size(); ++i) {
-      gen::Segment segment;
-      segment.p[0] = polygon[i];
-      segment.p[1] = polygon[(i + 1) % polygon.size()];
-      contour.segments.push_back(segment);
+      contour.segments.push_back(
+          gen::line_segment(polygon[i], polygon[(i + 1) % polygon.size()]));
     }
     outline.contours.push_back(std::move(contour));
   }

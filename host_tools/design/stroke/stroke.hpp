@@ -1,9 +1,7 @@
 // Strokes in the editor: points of a path and a nib.
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "fit/curve_fitter.hpp"
@@ -29,12 +27,6 @@ struct Stroke {
 
 /// A stroke as commands have it, with lengths times `scale`. Throws Error.
 Stroke parse_stroke(const Value& value, double scale);
-
-/// Reads strokes: "x y [width [height [angle]]]" on each line, in u and
-/// degrees, "-" for no change. An empty line ends a stroke, # begins a comment.
-/// Throws Error that names file and line.
-std::vector<Stroke> read_strokes(const std::filesystem::path& file,
-                                 const Nib& nib);
 
 /// The nib at every point: what points set, interpolated along the path.
 std::vector<Nib> nibs_of(const Stroke& stroke);

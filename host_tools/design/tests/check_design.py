@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 
+from pictures import png
 from problems import expect, finish
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
@@ -43,7 +44,7 @@ def bad(program, message, *arguments):
 def check_help(design):
     text = good(design, "--help")
     for name in ("export", "import", "import-svg", "replay", "roundtrip",
-                 "script", "stroke", "trace"):
+                 "script", "trace"):
         expect(name in text, f"--help does not name {name}")
         expect("--" in good(design, name, "--help"), f"{name} --help")
 
@@ -145,15 +146,16 @@ def check_additions(design, folder):
     expect("tables of" in said and "GSUB" in said and "fpgm" in said and
            "GPOS except kerning" in said and "hmtx" not in said,
            f"import names the tables that it leaves out: {said!r}")
-    (folder / "bar.path").write_text("0 300\n600 300\n")
-    glyph = ("stroke", "--path", folder / "bar.path", "--project", project,
-             "--glyph")
+    bar = folder / "bar.svg"
+    bar.write_text('<svg xmlns="http://www.w3.org/2000/svg">'
+                   '<path d="M0 0H600V-80H0Z"/></svg>')
+    glyph = ("import-svg", "--drawing", bar, "--project", project, "--glyph")
     said = good(design, *glyph, "l")
     expect("beside 1 contour (--replace" in said and
-           contours_of(project, "l")[0] == 2, f"stroke adds: {said!r}")
+           contours_of(project, "l")[0] == 2, f"a drawing is added: {said!r}")
     said = good(design, *glyph, "l", "--replace")
     expect("in place of 2 contours" in said and
-           contours_of(project, "l")[0] == 1, f"stroke replaces: {said!r}")
+           contours_of(project, "l")[0] == 1, f"a drawing replaces: {said!r}")
     said = good(design, *glyph, "Q")
     expect("new glyph 'Q', U+0051" in said and
            '<unicode hex="0051"' in contours_of(project, "Q_")[1],
@@ -260,43 +262,48 @@ assert(#glyph("o").contours[1] == 12 and glyphs()[1] == "o")
 
 
 def check_pictures(design, folder):
-    path = folder / "s.path"
-    path.write_text("100 100\n300 700 40 80 30\n600 100\n")
-    good(design, "stroke", "--path", path, "--nib", "rectangle:80,20,45",
-         "--out", folder / "s.svg")
-    bad(design, "nib 'round'", "stroke", "--path", path, "--nib", "round",
-        "--out", folder / "s.svg")
-    (folder / "round.path").write_text("300 300\n")
-    path.write_text("100\n")
-    bad(design, "s.path:1: a point of a path", "stroke", "--path", path,
-        "--out", folder / "s.svg")
-    master = folder / "m.pgm"
-    rows = ["0" if 20 < x < 80 and 30 < y < 70 else "255"
-            for y in range(100) for x in range(100)]
-    master.write_text("P2 100 100 255\n" + " ".join(rows) + "\n")
+    master = folder / "m.png"
+    master.write_bytes(png(100, 100, [
+        [0 if 20 < x < 80 and 30 < y < 70 else 255 for x in range(100)]
+        for y in range(100)]))
     report = folder / "t.json"
     good(design, "trace", "--master", master, "--px-per-em", 1024, "--out",
          folder / "t.svg", "--report", report)
     data = json.loads(report.read_text())
     expect(data["contours"] == 1 and data["segments"] >= 4, f"trace: {data}")
     check_glyphs(design, folder, master)
-    master.write_text("P2 2 2 255\n255 255 255 255\n")
+    master.write_bytes(png(2, 2, [[255, 255]] * 2))
     bad(design, "holds no ink", "trace", "--master", master, "--px-per-em",
         1024, "--out", folder / "t.svg")
+
+
+def stroke(glyph, nib, points):
+    """The command that draws a glyph with a pen."""
+    return json.dumps({"do": "set_strokes", "glyph": glyph,
+                       "strokes": [{"nib": nib, "points": points}]})
 
 
 def check_glyphs(design, folder, master):
     """Pictures that become glyphs, and glyphs that are combined."""
     project = folder / "G.ufo"
     good(design, "replay", "--do", '{"do": "add_glyph", "glyph": "empty"}',
+         "--do", '{"do": "add_glyph", "glyph": "dot"}', "--do",
+         stroke("dot", "ellipse:80", [[300, 300]]), "--do",
+         '{"do": "add_glyph", "glyph": "line"}', "--do",
+         stroke("line", "rectangle:80,20,45",
+                [[100, 100], [300, 700, 40, 80, 30], [600, 100]]),
          "--out", project)
+    bad(design, "nib 'round'", "replay", "--project", project, "--do",
+        stroke("dot", "round", [[300, 300]]))
+    bad(design, "points of a stroke are", "replay", "--project", project,
+        "--do", stroke("dot", "ellipse:80", [[100]]))
     glyph = ("--project", project, "--glyph")
     good(design, "trace", "--master", master, "--em", "0,99,90,99",
          "--threshold", 100, *glyph, "bar")
     good(design, "trace", "--master", master, "--px-per-em", 90,
          "--scan", *glyph, "bar")
+    good(design, "export", *glyph, "line", "--out", folder / "s.svg")
     good(design, "import-svg", "--drawing", folder / "s.svg", *glyph, "stroke")
-    good(design, "stroke", "--path", folder / "round.path", *glyph, "dot")
     good(design, "replay", "--project", project, "--do",
          '{"do": "add_glyph", "glyph": "both"}', "--do",
          '{"do": "set_tree", "glyph": "both", "tree": {"op": "blend",'

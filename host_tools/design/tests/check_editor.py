@@ -7,12 +7,11 @@ import math
 import pathlib
 import plistlib
 import shutil
-import struct
 import subprocess
 import sys
-import zlib
 
 from editor_script import points_of, run_checks
+from pictures import pixels, png
 from problems import expect
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
@@ -476,17 +475,6 @@ def check_preview(editor, render):
     expect(lacking["missing"] == "x\u017f", f"missing: {lacking['missing']}")
 
 
-def pixels(file):
-    """Size and bytes of a PGM or PPM; three bytes a pixel."""
-    data = file.read_bytes()
-    magic, width, height = data[:20].split()[:3]
-    size = (int(width), int(height))
-    data = data[-size[0] * size[1] * (3 if magic == b"P6" else 1):]
-    if magic == b"P5":
-        data = bytes(value for value in data for _ in range(3))
-    return size, data
-
-
 def check_screenshots(editor):
     lines = ("open P.ufo", "glyph a", "screenshot a.ppm")
     editor.run(*lines)
@@ -511,17 +499,6 @@ def check_screenshots(editor):
     expect(shots["dark"] != first == shots["light"], "the dark theme")
     size, colours = pixels(editor.folder / "a.ppm")
     expect(size == (1440, 900) and len(set(colours[::3])) > 50, "screenshot")
-
-
-def png(width, height, rows):
-    """The bytes of a PNG of greys."""
-    def chunk(kind, data):
-        return (struct.pack(">I", len(data)) + kind + data +
-                struct.pack(">I", zlib.crc32(kind + data)))
-    head = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
-    data = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
-            chunk(b"IDAT", data) + chunk(b"IEND", b""))
 
 
 def check_picture(editor):

@@ -93,25 +93,15 @@ TEST(Master, ASlantingScanIsTurnedUpright) {
   EXPECT_THROW(place_between({4, 4}, {8, 4}), Error);
 }
 
-TEST(Bitmap, ReadsWhatNetpbmAndPngSay) {
+TEST(Bitmap, ReadsPng) {
   const TemporaryFolder folder;
-  const auto read = [&folder](const char* name, const std::string& text) {
-    write_text(folder.path() / name, text);
-    return read_bitmap(folder.path() / name).ink;
-  };
-  using Ink = std::vector<uint8_t>;
-  EXPECT_EQ(read("a.pbm", "P1\n# a comment\n3 2\n1 0 1\n010\n"),
-            (Ink{255, 0, 255, 0, 255, 0}));
-  EXPECT_EQ(read("b.pbm", std::string("P4 3 2\n\xa0\x40", 9)),
-            (Ink{255, 0, 255, 0, 255, 0}));
-  EXPECT_EQ(read("c.pgm", "P2 3 1 255\n255 128 0\n"), (Ink{0, 127, 255}));
+  const std::filesystem::path file = folder.path() / "a.png";
   tools::Image image(3, 1);
   image.pixels = {255, 128, 0};
-  tools::write_image(folder.path() / "d.png", image);
-  EXPECT_EQ(read_bitmap(folder.path() / "d.png").ink, (Ink{0, 127, 255}));
-  EXPECT_THROW(read("e.pbm", std::string("P4 30 20\n\xa0", 10)), Error);
-  EXPECT_THROW(read("f.txt", "no bitmap at all"), Error);
-  EXPECT_THROW(read("g.pbm", "P1 65536 65536\n1"), Error);
+  tools::write_image(file, image);
+  EXPECT_EQ(read_bitmap(file).ink, (std::vector<uint8_t>{0, 127, 255}));
+  write_text(file, "no bitmap at all");
+  EXPECT_THROW(read_bitmap(file), Error);
 }
 
 TEST(Bitmap, OtsuDividesInkAndPaper) {
