@@ -1,15 +1,10 @@
-// Stellaris LM3S6965 evaluation board: UART 0, an SSD0323 OLED and an SD card,
-// both on the same SPI.
-#include "board.hpp"
-
+// Stellaris LM3S6965 evaluation board: an SSD0323 OLED and an SD card, both on
+// the same SPI.
 #include "card.hpp"
-#include "counter.hpp"
 #include "display.hpp"
 #include "inkcell/port/ssd0323.hpp"
-#include "registers.hpp"
+#include "lm3s.hpp"
 #include "sd_card.hpp"
-#include "systick.hpp"
-#include "uart_pl011.hpp"
 
 namespace inkcell::board {
 namespace {
@@ -18,13 +13,9 @@ constexpr uintptr_t kPortA = 0x40004000;
 constexpr uintptr_t kPortC = 0x40006000;
 constexpr uintptr_t kPortD = 0x40007000;
 constexpr uintptr_t kSpi = 0x40008000;  // PL022
-constexpr uintptr_t kUart = 0x4000c000;
-constexpr uintptr_t kSystemControl = 0x400fe000;
 
-// Registers of a port; the address of the data register selects the pins.
+// Of a port; the address of its data register selects the pins.
 constexpr uintptr_t kDirection = 0x400;
-constexpr uintptr_t kAlternate = 0x420;
-constexpr uintptr_t kDigital = 0x51c;
 
 // Pins: clock, frame and data of the SPI on port A, the frame selects the
 // display; low for commands and high for data on port C; the card's select on
@@ -39,10 +30,6 @@ constexpr uint32_t kCardPin = 1 << 0;
 // display, 4 MHz at most.
 constexpr uint32_t kSlow = 50;
 constexpr uint32_t kFast = 4;
-
-void set_bits(uintptr_t address, uint32_t bits) noexcept {
-  reg(address) = reg(address) | bits;
-}
 
 void set_pin(uintptr_t gpio, uint32_t pin, bool high) noexcept {
   reg(gpio + (pin << 2)) = high ? pin : 0;
@@ -99,20 +86,6 @@ constexpr port::Ssd0323 kDisplay = {{nullptr, send_command, send_data},
 SdCard card;
 
 }  // namespace
-
-void init() noexcept {
-  set_bits(kSystemControl + 0x104, 1);  // clock of the UART
-  pl011_init(kUart);
-  systick_init();
-}
-
-void console_write(const char* text, size_t size) noexcept {
-  pl011_write(kUart, text, size);
-}
-
-uint32_t counter_ticks() noexcept {
-  return systick_ticks();
-}
 
 bool display_init(port::PixelFormat format) noexcept {
   set_bits(kSystemControl + 0x104, 1 << 4);                    // SPI

@@ -1,6 +1,7 @@
-# The start-up code of this board, its counter (SysTick at 12.5 MHz, 24 bits)
+# The code of this board, its counter (SysTick at 12.5 MHz, 24 bits)
 # and its display.
-set(INKCELL_BOARD_START start_cortex_m.cpp)
+set(INKCELL_BOARD_SOURCES
+  common/start_cortex_m.cpp common/lm3s.cpp lm3s811evb/board.cpp)
 set(INKCELL_COUNTER_PICOSECONDS 80000)
 set(INKCELL_COUNTER_BITS 24)
 set(INKCELL_DISPLAY_WIDTH 96)

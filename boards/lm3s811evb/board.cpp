@@ -1,23 +1,13 @@
-// Stellaris LM3S811 evaluation board: UART 0, and an SSD0303 OLED on I2C.
-#include "board.hpp"
-
-#include "counter.hpp"
+// Stellaris LM3S811 evaluation board: an SSD0303 OLED on I2C.
 #include "display.hpp"
 #include "inkcell/port/ssd0303.hpp"
-#include "registers.hpp"
-#include "systick.hpp"
-#include "uart_pl011.hpp"
+#include "lm3s.hpp"
 
 namespace inkcell::board {
 namespace {
 
 constexpr uintptr_t kPortB = 0x40005000;
-constexpr uintptr_t kUart = 0x4000c000;
 constexpr uintptr_t kI2c = 0x40020000;
-constexpr uintptr_t kSystemControl = 0x400fe000;
-
-constexpr uintptr_t kAlternate = 0x420;
-constexpr uintptr_t kDigital = 0x51c;
 constexpr uint32_t kI2cPins = 1 << 2 | 1 << 3;
 
 constexpr uint32_t kDisplayAddress = 0x3d;
@@ -25,10 +15,6 @@ constexpr uint8_t kControlCommand = 0x80;
 constexpr uint8_t kControlData = 0x40;
 
 enum Transfer : uint32_t { kRun = 1, kStart = 2, kStop = 4 };
-
-void set_bits(uintptr_t address, uint32_t bits) noexcept {
-  reg(address) = reg(address) | bits;
-}
 
 void i2c_send(uint8_t byte, uint32_t transfer) noexcept {
   reg(kI2c + 0x08) = byte;
@@ -59,20 +45,6 @@ constexpr port::Ssd0303 kDisplay = {{nullptr, send_command, send_data},
                                     36};
 
 }  // namespace
-
-void init() noexcept {
-  set_bits(kSystemControl + 0x104, 1);  // clock of the UART
-  pl011_init(kUart);
-  systick_init();
-}
-
-void console_write(const char* text, size_t size) noexcept {
-  pl011_write(kUart, text, size);
-}
-
-uint32_t counter_ticks() noexcept {
-  return systick_ticks();
-}
 
 bool display_init(port::PixelFormat format) noexcept {
   set_bits(kSystemControl + 0x104, 1 << 12);  // I2C

@@ -1,6 +1,6 @@
-# The start-up code of this board, its counter (of instructions, 32 bits) and
+# The code of this board, its counter (of instructions, 32 bits) and
 # its display.
-set(INKCELL_BOARD_START start_riscv.S)
+set(INKCELL_BOARD_SOURCES common/start_riscv.S riscv_virt/board.cpp)
 set(INKCELL_COUNTER_PICOSECONDS 1000)
 set(INKCELL_COUNTER_BITS 32)
 set(INKCELL_DISPLAY_WIDTH 320)
