@@ -40,7 +40,7 @@ struct Arguments {
   bool no_check = false;
   double mean_limit = std::numeric_limits<double>::infinity();
   size_t byte_limit = std::numeric_limits<size_t>::max();
-  unsigned threads = 0;
+  int threads = 0;
   std::string report;
   std::string picture;
   size_t worst = 8;

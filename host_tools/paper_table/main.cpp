@@ -31,7 +31,7 @@ constexpr const char* kTimesMetrics =
 struct Arguments {
   std::string font = kTimesMetrics;
   std::string chars = std::string(gen::kDefaultChars);
-  unsigned threads = 0;
+  int threads = 0;
   std::string report;
 };
 
@@ -118,7 +118,7 @@ std::vector<GlyphRow> measure_all(const Arguments& arguments) {
   gen::add_ranges(arguments.chars, request.characters);
   gen::Warnings warnings;
   const gen::SourceFont font =
-      gen::load_font(request, static_cast<int>(arguments.threads), warnings);
+      gen::load_font(request, arguments.threads, warnings);
   std::vector<GlyphRow> rows(font.glyphs.size() - 1);  // without .notdef
   parallel_for(rows.size(), arguments.threads,
                [&](size_t i) { rows[i] = measure(font.glyphs[i + 1]); });

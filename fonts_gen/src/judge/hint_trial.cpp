@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "base/work_pool.hpp"
 #include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
+#include "parallel.hpp"
 #include "rom/rom_font.hpp"
 #include "shape/shape.hpp"
 

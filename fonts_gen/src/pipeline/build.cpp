@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "base/work_pool.hpp"
 #include "field/sample_tree.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
+#include "parallel.hpp"
 #include "pipeline/built_glyphs.hpp"
 #include "pipeline/field_images.hpp"
 #include "pipeline/font_hints.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/work_pool.hpp"
+#include "parallel.hpp"
 #include "rom/outline_font.hpp"
 
 namespace inkcell::gen {

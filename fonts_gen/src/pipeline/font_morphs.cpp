@@ -6,11 +6,11 @@
 #include <sstream>
 #include <utility>
 
-#include "base/work_pool.hpp"
 #include "morph/find_morph.hpp"
 #include "morph/master_morph.hpp"
 #include "morph/morph_record.hpp"
 #include "outlines/outline_steps.hpp"
+#include "parallel.hpp"
 #include "rom/outline_font.hpp"
 
 namespace inkcell::gen {

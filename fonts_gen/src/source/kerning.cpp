@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "base/work_pool.hpp"
+#include "parallel.hpp"
 
 namespace inkcell::gen {
 namespace {

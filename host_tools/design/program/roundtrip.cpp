@@ -6,8 +6,8 @@
 
 #include "app/options.hpp"
 #include "app/output.hpp"
-#include "base/work_pool.hpp"
 #include "model/error.hpp"
+#include "parallel.hpp"
 #include "program.hpp"
 #include "program/commands.hpp"
 #include "progress.hpp"
@@ -120,7 +120,7 @@ void run(RoundtripArguments& arguments) {
   font.glyphs.erase(font.glyphs.begin());  // .notdef
   std::vector<GlyphResult> results(font.glyphs.size());
   std::optional<tools::Progress> progress(arguments.quiet);
-  gen::parallel_for(
+  parallel_for(
       results.size(), arguments.request.threads,
       [&](size_t i) {
         try {

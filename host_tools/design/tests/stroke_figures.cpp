@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "base/work_pool.hpp"
+#include "parallel.hpp"
 #include "shape/shape.hpp"
 #include "stroke/stroke.hpp"
 #include "stroke/sweep.hpp"
@@ -182,7 +182,7 @@ Result check(size_t seed) {
 
 int run(size_t count, size_t first) {
   std::vector<Result> results(count);
-  gen::parallel_for(count, 0, [&](size_t i) { results[i] = check(first + i); });
+  parallel_for(count, 0, [&](size_t i) { results[i] = check(first + i); });
   double worst = 0;
   double time = 0;
   std::vector<double> times;

@@ -1,7 +1,7 @@
 // The loop over threads: every round once, the first failure, progress.
 #include <gtest/gtest.h>
 
-#include "base/work_pool.hpp"
+#include "parallel.hpp"
 
 #include <chrono>
 #include <stdexcept>
@@ -10,7 +10,7 @@
 namespace inkcell::gen::test {
 namespace {
 
-TEST(WorkPool, RunsEveryRoundOnce) {
+TEST(Parallel, RunsEveryRoundOnce) {
   for (const int jobs : {1, 2, 4, 64}) {
     for (const size_t count : {0u, 1u, 3u, 1000u}) {
       std::vector<std::atomic<int>> runs(count);
@@ -22,7 +22,7 @@ TEST(WorkPool, RunsEveryRoundOnce) {
   }
 }
 
-TEST(WorkPool, ThrowsTheFirstFailure) {
+TEST(Parallel, ThrowsTheFirstFailure) {
   for (const int jobs : {1, 2, 4}) {
     for (int i = 0; i < 50; ++i) {
       try {
@@ -39,7 +39,7 @@ TEST(WorkPool, ThrowsTheFirstFailure) {
   }
 }
 
-TEST(WorkPool, EndsWhenProgressThrows) {
+TEST(Parallel, EndsWhenProgressThrows) {
   for (const int jobs : {1, 3}) {
     std::atomic<int> rounds{0};
     EXPECT_THROW(
@@ -56,7 +56,7 @@ TEST(WorkPool, EndsWhenProgressThrows) {
   }
 }
 
-TEST(WorkPool, ReportsTheEnd) {
+TEST(Parallel, ReportsTheEnd) {
   for (const int jobs : {1, 3}) {
     size_t last = 0;
     parallel_for(
