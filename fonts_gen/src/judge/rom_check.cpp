@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "inkcell/field/cell.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/stored/stored_font.hpp"
 #include "rom/rom_font.hpp"
 
 namespace inkcell::gen {
@@ -24,6 +27,12 @@ namespace {
 std::string of_glyph(size_t glyph) {
   return " of glyph " + std::to_string(glyph);
 }
+
+// A glyph of the source, and its id in the font.
+struct ReadGlyph {
+  size_t source;
+  uint16_t id;
+};
 
 void check_header(const Font& font, const RomContent& content) {
   const FontMetrics m = font.metrics();
@@ -61,26 +70,40 @@ void check_cmap(const Font& font, const RomContent& content) {
   }
 }
 
-void check_metrics(const Font& font, const RomContent& content) {
-  for (size_t i = 0; i < content.glyphs.size(); ++i) {
-    GlyphMetrics m;
-    const GlyphMetrics& s = content.glyphs[i].metrics;
-    const Status status = font.glyph_metrics(static_cast<uint16_t>(i), m);
-    if (status != Status::ok || m.advance != s.advance || m.x_min != s.x_min ||
-        m.y_min != s.y_min || m.x_max != s.x_max || m.y_max != s.y_max) {
-      differ(content, "the metrics" + of_glyph(i));
-    }
+void check_metrics(const Font& font,
+                   const ReadGlyph& glyph,
+                   const RomContent& content) {
+  GlyphMetrics m;
+  const GlyphMetrics& s = content.glyphs[glyph.source].metrics;
+  const Status status = font.glyph_metrics(glyph.id, m);
+  if (status != Status::ok || m.advance != s.advance || m.x_min != s.x_min ||
+      m.y_min != s.y_min || m.x_max != s.x_max || m.y_max != s.y_max) {
+    differ(content, "the metrics" + of_glyph(glyph.source));
+  }
+}
+
+// `page` has the glyph; `id` is its id there.
+void check_record(const Font& page,
+                  uint16_t id,
+                  const RomContent& content,
+                  const HintCode& code,
+                  size_t source) {
+  const Span<const uint8_t> record = page.record(id);
+  const std::vector<uint8_t> wanted = hinted_record(content, source, code);
+  if (!std::equal(record.begin(), record.end(), wanted.begin(), wanted.end())) {
+    differ(content, "the record" + of_glyph(source));
   }
 }
 
 // One glyph of each class, 0 included if it has any.
-std::vector<size_t> representatives(const std::vector<uint16_t>& classes,
-                                    int count) {
-  std::vector<size_t> found;
+std::vector<ReadGlyph> representatives(const std::vector<ReadGlyph>& glyphs,
+                                       const std::vector<uint16_t>& classes,
+                                       int count) {
+  std::vector<ReadGlyph> found;
   std::vector<bool> seen(static_cast<size_t>(count) + 1);
-  for (size_t glyph = 0; glyph < classes.size(); ++glyph) {
-    if (!seen[classes[glyph]]) {
-      seen[classes[glyph]] = true;
+  for (const ReadGlyph& glyph : glyphs) {
+    if (!seen[classes[glyph.source]]) {
+      seen[classes[glyph.source]] = true;
       found.push_back(glyph);
     }
   }
@@ -89,25 +112,29 @@ std::vector<size_t> representatives(const std::vector<uint16_t>& classes,
 
 // Every glyph against one of each class of the other side. That settles every
 // pair: the reader's answer depends on nothing but the two classes.
-void check_kerning(const Font& font, const RomContent& content) {
+void check_kerning(const Font& font,
+                   const std::vector<ReadGlyph>& glyphs,
+                   const RomContent& content) {
   const KerningMatrix& kerning = content.kerning;
-  const auto expect = [&](size_t left, size_t right) {
-    if (font.kerning(static_cast<uint16_t>(left),
-                     static_cast<uint16_t>(right)) !=
-        kerning.value(left, right)) {
-      differ(content, "the kerning of glyphs " + std::to_string(left) +
-                          " and " + std::to_string(right));
+  if (kerning.left_class.empty()) {
+    return;
+  }
+  const auto expect = [&](const ReadGlyph& left, const ReadGlyph& right) {
+    if (font.kerning(left.id, right.id) !=
+        kerning.value(left.source, right.source)) {
+      differ(content, "the kerning of glyphs " + std::to_string(left.source) +
+                          " and " + std::to_string(right.source));
     }
   };
-  const std::vector<size_t> lefts =
-      representatives(kerning.left_class, kerning.left_classes);
-  const std::vector<size_t> rights =
-      representatives(kerning.right_class, kerning.right_classes);
-  for (size_t glyph = 0; glyph < content.glyphs.size(); ++glyph) {
-    for (const size_t right : rights) {
+  const std::vector<ReadGlyph> lefts =
+      representatives(glyphs, kerning.left_class, kerning.left_classes);
+  const std::vector<ReadGlyph> rights =
+      representatives(glyphs, kerning.right_class, kerning.right_classes);
+  for (const ReadGlyph& glyph : glyphs) {
+    for (const ReadGlyph& right : rights) {
       expect(glyph, right);
     }
-    for (const size_t left : lefts) {
+    for (const ReadGlyph& left : lefts) {
       expect(left, glyph);
     }
   }
@@ -202,25 +229,27 @@ class CellCheck {
   const GlyphField& field_;
 };
 
-void check_cells(const Font& font, const RomContent& content) {
-  const HintCode code = content.hint_code();
-  for (size_t i = 0; i < content.glyphs.size(); ++i) {
-    const RomGlyph& glyph = content.glyphs[i];
-    if (content.options.coding == Coding::outline) {
-      const Span<const uint8_t> record = font.record(static_cast<uint16_t>(i));
-      const std::vector<uint8_t> source = hinted_record(content, i, code);
-      if (!std::equal(record.begin(), record.end(), source.begin(),
-                      source.end())) {
-        differ(content, "the record" + of_glyph(i));
-      }
-      continue;
-    }
-    GlyphField field;
-    const Status status = read_field(font, static_cast<uint16_t>(i), field);
-    if (status != Status::ok || !CellCheck(glyph.field, field).equal()) {
-      differ(content, "the cells" + of_glyph(i));
-    }
+void check_cells(const Font& font,
+                 const ReadGlyph& glyph,
+                 const RomContent& content) {
+  GlyphField field;
+  const Status status = read_field(font, glyph.id, field);
+  if (status != Status::ok ||
+      !CellCheck(content.glyphs[glyph.source].field, field).equal()) {
+    differ(content, "the cells" + of_glyph(glyph.source));
   }
+}
+
+bool read_bytes(void* context,
+                uint32_t offset,
+                uint8_t* bytes,
+                uint32_t count) {
+  const auto& from = *static_cast<const std::vector<uint8_t>*>(context);
+  if (offset > from.size() || count > from.size() - offset) {
+    return false;
+  }
+  std::copy_n(from.begin() + offset, count, bytes);
+  return true;
 }
 
 }  // namespace
@@ -240,10 +269,50 @@ void check_rom_font(const std::vector<uint8_t>& bytes,
   }
   check_header(font, content);
   check_cmap(font, content);
-  check_metrics(font, content);
-  check_kerning(font, content);
+  const HintCode code = content.hint_code();
+  std::vector<ReadGlyph> glyphs;
+  for (size_t i = 0; i < content.glyphs.size(); ++i) {
+    glyphs.push_back({i, static_cast<uint16_t>(i)});
+    check_metrics(font, glyphs.back(), content);
+    if (content.options.coding == Coding::outline) {
+      check_record(font, glyphs.back().id, content, code, i);
+    } else {
+      check_cells(font, glyphs.back(), content);
+    }
+  }
+  check_kerning(font, glyphs, content);
   check_hints(font, content);
-  check_cells(font, content);
+}
+
+void check_paged_font(const std::vector<uint8_t>& bytes,
+                      const RomContent& content) {
+  std::vector<uint64_t> ram(
+      StoredFont::ram_bytes(content.block_bytes, 4) / sizeof(uint64_t) + 1);
+  auto file = bytes;
+  StoredFont stored;
+  const Status status = StoredFont::open(
+      {read_bytes, &file},
+      {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * sizeof(uint64_t)},
+      stored);
+  if (status != Status::ok || stored.verify() != Status::ok) {
+    differ(content, "that the device does not open it");
+  }
+  const Font& font = stored.font();
+  const HintCode code = content.hint_code();
+  std::vector<ReadGlyph> glyphs;
+  for (const auto& [code_point, source] : content.glyph_of) {
+    uint16_t glyph = 0;
+    const bool is_there = font.glyph_of(code_point, glyph) == Status::ok;
+    uint32_t id = glyph;
+    const Font* const page = is_there ? font.page_of(id) : nullptr;
+    if (page == nullptr) {
+      differ(content, "the glyph of " + describe(code_point));
+    }
+    glyphs.push_back({source, glyph});
+    check_record(*page, static_cast<uint16_t>(id), content, code, source);
+    check_metrics(font, glyphs.back(), content);
+  }
+  check_kerning(font, glyphs, content);
 }
 
 }  // namespace inkcell::gen

@@ -14,4 +14,9 @@ namespace inkcell::gen {
 void check_rom_font(const std::vector<uint8_t>& bytes,
                     const RomContent& content);
 
+/// The same for a font in pages: every character's metrics, record and hints,
+/// and the kerning.
+void check_paged_font(const std::vector<uint8_t>& bytes,
+                      const RomContent& content);
+
 }  // namespace inkcell::gen

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "judge/closed_loop.hpp"
-#include "judge/paged_check.hpp"
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
 #include "pipeline/font_morphs.hpp"
