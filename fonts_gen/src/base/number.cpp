@@ -1,7 +1,6 @@
 #include "base/number.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -38,43 +37,35 @@ size_t number_length(std::string_view text) {
   return at;
 }
 
-// Puts the rest of `text` behind a number in place, if it is finite.
-std::optional<double> taken(std::string_view& text,
-                            size_t length,
-                            double value) {
+}  // namespace
+
+std::optional<double> take_number(std::string_view& text) {
+  const size_t sign = !text.empty() && text[0] == '+' ? 1 : 0;
+  const size_t length = number_length(text.substr(sign));
+  // Not std::from_chars(), which the library of macOS has for integers only.
+  const std::string number(text.substr(sign, length));
+  const double value = std::strtod(number.c_str(), nullptr);
   if (length == 0 || !std::isfinite(value)) {
     return std::nullopt;
   }
-  text.remove_prefix(length);
+  text.remove_prefix(sign + length);
   return value;
 }
 
-size_t sign_length(std::string_view text) {
-  return !text.empty() && text[0] == '+' ? 1 : 0;
-}
-
-}  // namespace
-
-std::optional<double> take_number_by_strtod(std::string_view& text) {
-  const size_t sign = sign_length(text);
-  const size_t length = number_length(text.substr(sign));
-  const std::string number(text.substr(sign, length));
-  return taken(text, length == 0 ? 0 : sign + length,
-               std::strtod(number.c_str(), nullptr));
-}
-
-std::optional<double> take_number(std::string_view& text) {
-#ifdef __cpp_lib_to_chars
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data() + sign_length(text),
-                                            text.data() + text.size(), value);
-  return taken(
-      text,
-      error == std::errc() ? static_cast<size_t>(end - text.data()) : size_t{0},
-      value);
-#else
-  return take_number_by_strtod(text);
-#endif
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    text.remove_prefix(
+        std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
+    if (text.empty()) {
+      return numbers;
+    }
+    const std::optional<double> value = take_number(text);
+    if (!value) {
+      return std::nullopt;
+    }
+    numbers.push_back(*value);
+  }
 }
 
 }  // namespace inkcell::gen

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace inkcell::gen {
 
@@ -10,8 +11,8 @@ namespace inkcell::gen {
 /// one, `text` stays.
 std::optional<double> take_number(std::string_view& text);
 
-/// The same where the standard library reads no floating-point numbers by
-/// std::from_chars.
-std::optional<double> take_number_by_strtod(std::string_view& text);
+/// The numbers of a list, parted by blanks, commas or nothing; none if one of
+/// them is no number.
+std::optional<std::vector<double>> numbers_in(std::string_view text);
 
 }  // namespace inkcell::gen

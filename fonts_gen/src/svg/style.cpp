@@ -167,20 +167,11 @@ double number_of(const pugi::xml_node& node,
 
 std::vector<double> numbers_of(const pugi::xml_node& node, const char* name) {
   const std::string text = node.attribute(name).value();
-  std::vector<double> numbers;
-  std::string_view rest = text;
-  while (true) {
-    rest.remove_prefix(
-        std::min(rest.find_first_not_of(" \t\r\n,"), rest.size()));
-    if (rest.empty()) {
-      return numbers;
-    }
-    const std::optional<double> value = take_number(rest);
-    if (!value) {
-      throw Error(quoted(name, text) + " is no list of numbers");
-    }
-    numbers.push_back(*value);
+  const std::optional<std::vector<double>> numbers = numbers_in(text);
+  if (!numbers) {
+    throw Error(quoted(name, text) + " is no list of numbers");
   }
+  return *numbers;
 }
 
 PaintStyle style_of(const pugi::xml_node& node, const PaintStyle& parent) {

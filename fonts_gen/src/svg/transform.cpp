@@ -1,9 +1,9 @@
 #include "svg/transform.hpp"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -15,32 +15,9 @@ namespace {
 
 constexpr std::string_view kSeparators = " \t\r\n,";
 
-// The numbers in brackets; empty if one of them is not a number.
-struct Numbers {
-  std::array<double, 6> value = {};
-  size_t count = 0;
-};
-
-std::optional<Numbers> parse_numbers(std::string_view text) {
-  Numbers numbers;
-  while (true) {
-    text.remove_prefix(
-        std::min(text.find_first_not_of(kSeparators), text.size()));
-    if (text.empty()) {
-      return numbers;
-    }
-    const std::optional<double> value = take_number(text);
-    if (!value || numbers.count == numbers.value.size()) {
-      return std::nullopt;
-    }
-    numbers.value[numbers.count++] = *value;
-  }
-}
-
 std::optional<Affine> one_transform(std::string_view name,
-                                    const Numbers& numbers) {
-  const auto& v = numbers.value;
-  const size_t count = numbers.count;
+                                    const std::vector<double>& v) {
+  const size_t count = v.size();
   if (name == "matrix" && count == 6) {
     return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
   }
@@ -76,8 +53,7 @@ Affine parse_transform(std::string_view text) {
     const size_t close = text.find(')');
     std::optional<Affine> next;
     if (open < close && close != std::string_view::npos) {
-      const auto numbers =
-          parse_numbers(text.substr(open + 1, close - open - 1));
+      const auto numbers = numbers_in(text.substr(open + 1, close - open - 1));
       next = numbers ? one_transform(trimmed(text.substr(0, open), kSeparators),
                                      *numbers)
                      : std::nullopt;
