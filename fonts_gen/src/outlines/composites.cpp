@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "outlines/expand.hpp"
 #include "shape/points.hpp"
 #include "shape/shape.hpp"
 
@@ -32,30 +33,17 @@ bool far_apart(const Box& a, const Box& b) {
          a.y0 > b.y1 + kLeastGap || b.y0 > a.y1 + kLeastGap;
 }
 
-void add_curve(Polyline& line, Point a, Point c, Point b) {
-  for (int i = 1; i <= kChords; ++i) {
-    line.push_back(on_quadratic(a, c, b, static_cast<double>(i) / kChords));
-  }
-}
-
-Polyline flatten(const MinimalContour& contour) {
-  const std::vector<GridPoint>& points = contour.points;
-  const auto place = [&points](size_t i) {
-    const GridPoint& point = points[i % points.size()];
-    return Point{static_cast<double>(point.x), static_cast<double>(point.y)};
-  };
-  const auto is_off = [&points](size_t i) {
-    return points[i % points.size()].kind == PointKind::off_curve;
-  };
-  Polyline line = {place(0)};
-  for (size_t i = 1; i <= points.size(); ++i) {
-    if (!is_off(i)) {
-      line.push_back(place(i));
-    } else if (is_off(i + 1)) {
-      add_curve(line, line.back(), place(i), middle(place(i), place(i + 1)));
-    } else {
-      add_curve(line, line.back(), place(i), place(i + 1));
-      ++i;
+Polyline flatten(const Contour& contour) {
+  Polyline line = {contour.segments.front().p[0]};
+  for (const Segment& segment : contour.segments) {
+    const Point* p = segment.p;
+    const int chords = segment.kind == Segment::Kind::line ? 0 : kChords;
+    for (int i = 1; i <= chords; ++i) {
+      line.push_back(
+          on_quadratic(p[0], p[1], p[2], static_cast<double>(i) / kChords));
+    }
+    if (chords == 0) {
+      line.push_back(end_of(segment));
     }
   }
   return line;
@@ -73,7 +61,7 @@ std::vector<Polyline> placed(const MinimalOutline& outline,
   const double dy = std::ldexp(reference.dy, -grid_shift);
   std::vector<Polyline> lines;
   for (const MinimalContour& contour : outline.contours) {
-    lines.push_back(flatten(contour));
+    lines.push_back(flatten(expand(contour, 1)));
     for (Point& p : lines.back()) {
       p = {times(0, p.x) + times(1, p.y) + dx,
            times(2, p.x) + times(3, p.y) + dy};
@@ -153,19 +141,12 @@ bool overlap(const std::vector<Polyline>& a, const std::vector<Polyline>& b) {
 // Applies `inner`, then `outer`.
 OutlineReference compose(const OutlineReference& outer,
                          const OutlineReference& inner) {
-  constexpr int64_t kHalf = OutlineReference::kOne_q14 / 2;
   const auto& m = outer.matrix_q14;
-  const auto& n = inner.matrix_q14;
-  const auto sum = [](int64_t a, int64_t b, int64_t c, int64_t d) {
-    return static_cast<int>((a * b + c * d + kHalf) >> 14);
-  };
   OutlineReference result;
   result.glyph = inner.glyph;
-  result.dx = outer.dx + sum(m[0], inner.dx, m[1], inner.dy);
-  result.dy = outer.dy + sum(m[2], inner.dx, m[3], inner.dy);
-  result.matrix_q14 = {sum(m[0], n[0], m[1], n[2]), sum(m[0], n[1], m[1], n[3]),
-                       sum(m[2], n[0], m[3], n[2]),
-                       sum(m[2], n[1], m[3], n[3])};
+  result.dx = outer.dx + sum_q14(m[0], inner.dx, m[1], inner.dy);
+  result.dy = outer.dy + sum_q14(m[2], inner.dx, m[3], inner.dy);
+  result.matrix_q14 = product(m, inner.matrix_q14);
   return result;
 }
 

@@ -14,7 +14,7 @@ struct Pen {
 };
 
 int move_bits(const Pen& from, const GridPoint& to) {
-  return width_of(to.x - from.x) + width_of(to.y - from.y);
+  return step_bits(to.x - from.x) + step_bits(to.y - from.y);
 }
 
 // A start of a contour and its cost.

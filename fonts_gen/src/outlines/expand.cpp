@@ -6,7 +6,6 @@
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
-namespace {
 
 Contour expand(const MinimalContour& minimal, double u_per_grid) {
   const std::vector<GridPoint>& points = minimal.points;
@@ -36,8 +35,6 @@ Contour expand(const MinimalContour& minimal, double u_per_grid) {
   }
   return contour;
 }
-
-}  // namespace
 
 Outline expand(const MinimalOutline& outline,
                int units_per_em,

@@ -94,17 +94,6 @@ void check_coordinates(const MinimalContour& contour) {
 
 }  // namespace
 
-int step_bits(int value) {
-  if (value == 0) {
-    return 0;
-  }
-  int bits = 1;
-  while (value < -(1 << (bits - 1)) || value >= 1 << (bits - 1)) {
-    ++bits;
-  }
-  return bits;
-}
-
 GridPosition record_start(int x_min, int y_min, int grid_shift) {
   if (grid_shift < 0) {
     return {x_min * (1 << -grid_shift), y_min * (1 << -grid_shift)};

@@ -27,7 +27,15 @@ struct GridPosition {
 inline constexpr int kMostStepBits = 15;
 
 /// Bits of `value` in two's complement; 0 has none.
-int step_bits(int value);
+inline int step_bits(int value) {
+  int bits = 0;
+  if (value != 0) {
+    const unsigned rest = static_cast<unsigned>(value < 0 ? ~value : value);
+    for (bits = 1; rest >> (bits - 1) != 0; ++bits) {
+    }
+  }
+  return bits;
+}
 
 /// The start of a record's steps: the lower left corner of the glyph's box in
 /// METR [font units], rounded down to the grid of 2^grid_shift font units.

@@ -25,7 +25,7 @@ using Points = std::vector<std::array<int, 2>>;
 // A component as in the file: its glyph and its matrix.
 struct Component {
   uint32_t glyph;
-  std::array<int, 4> matrix_q14;  // xx xy yx yy
+  MatrixQ14 matrix_q14;
 };
 
 class Composites {
@@ -120,15 +120,6 @@ class Composites {
       }
     }
     return true;
-  }
-
-  static std::array<int, 4> product(const std::array<int, 4>& m,
-                                    const std::array<int, 4>& n) {
-    const auto sum = [](int64_t a, int64_t b, int64_t c, int64_t d) {
-      return static_cast<int>((a * b + c * d + (1 << 13)) >> 14);
-    };
-    return {sum(m[0], n[0], m[1], n[2]), sum(m[0], n[1], m[1], n[3]),
-            sum(m[2], n[0], m[3], n[2]), sum(m[2], n[1], m[3], n[3])};
   }
 
   // Finds offsets by the points of the whole glyph, which are those of the
