@@ -29,94 +29,83 @@ std::string shown(double value) {
   return text;
 }
 
-void check_size(const char* option, double px) {
-  if (!is_whole_within(px, kLeastPx, kMostPx)) {
-    throw Error(std::string(option) + " " + shown(px) +
-                ": sizes are whole numbers within 4..1024 px/em");
-  }
+bool is_size(double px) {
+  return is_whole_within(px, kLeastPx, kMostPx);
+}
+
+std::string no_size(const char* option, double px) {
+  return std::string(option) + " " + shown(px) +
+         ": sizes are whole numbers within 4..1024 px/em";
+}
+
+bool is_band(Target target) {
+  const double band = band_u(target);
+  const bool is_asked = target.band_px > 0;
+  target.band_px = 0;
+  return is_asked && target.predicate != Predicate::fixed &&
+         band >= band_u(target) && band <= kMostBand_u;
 }
 
 }  // namespace
 
 void check_request(const GenerateRequest& request) {
+  const Target& target = request.target;
+  const bool has_font = !request.font.empty();
   const bool has_icons =
       !request.svg_files.empty() || !request.svg_folders.empty();
-  if (request.font.empty() && !has_icons) {
-    throw Error(
-        "there is no font; give a font file with --font, or icons with "
-        "--svg or --svg-dir");
-  }
-  if (request.font.empty() &&
-      !(request.merge.empty() && request.chars.empty() &&
-        request.sets.empty() && request.text_files.empty() &&
-        request.symbols.empty() && request.strings_from.empty() &&
-        request.string_files.empty())) {
-    throw Error(
-        "--merge, characters and strings need a font file; add --font FILE");
-  }
-  const Target& target = request.target;
-  check_size("--min-px", target.min_px);
-  check_size("--max-px", target.max_px);
-  if (target.min_px > target.max_px) {
-    throw Error("--min-px " + shown(target.min_px) + " is above --max-px " +
-                shown(target.max_px) +
-                "; give both, the smaller size as --min-px");
-  }
-  if (!is_whole_within(target.tolerance, 1, 255)) {
-    throw Error("--tolerance is a whole number within 1..255, such as 16/255");
-  }
-  if (target.band_px != 0) {
-    Target usual = target;
-    usual.band_px = 0;
-    if (target.predicate == Predicate::fixed || !(target.band_px > 0) ||
-        band_u(target) < band_u(usual) || band_u(target) > kMostBand_u) {
-      throw Error(
-          "--band-px is at least 0.75, and at most 3/16 em at --min-px; the "
-          "fixed predicate has its own");
-    }
-  }
-  if (target.effort < 0 || target.effort > 9) {
-    throw Error("--effort is a whole number within 0..9");
-  }
-  if (target.coding != Coding::outline && !request.morphs.empty()) {
-    throw Error(
-        "--morph moves outlines; use --coding outline, or leave it out");
-  }
+  const bool has_texts = !request.merge.empty() || !request.chars.empty() ||
+                         !request.sets.empty() || !request.text_files.empty() ||
+                         !request.symbols.empty() ||
+                         !request.strings_from.empty() ||
+                         !request.string_files.empty();
+  const bool has_morphs = !request.morphs.empty();
   const bool has_masters = has_second_master(request.axes);
-  if (target.coding != Coding::outline && has_masters) {
-    throw Error(
-        "--axis with two values makes outlines that morph; use --coding "
-        "outline, or give one value");
-  }
-  if (request.paged != 0) {
-    const std::set<int> sizes = {512, 1024, 2048, 4096};
-    if (sizes.count(request.paged) == 0) {
-      throw Error("--paged " + std::to_string(request.paged) +
-                  ": blocks have 512, 1024, 2048 or 4096 bytes");
+  const bool is_outline = target.coding == Coding::outline;
+  const bool is_paged = request.paged != 0;
+  const std::set<int> block_sizes = {0, 512, 1024, 2048, 4096};
+  const std::pair<bool, std::string> rules[] = {
+      {!has_font && !has_icons,
+       "there is no font; give a font file with --font, or icons with --svg or "
+       "--svg-dir"},
+      {!has_font && has_texts,
+       "--merge, characters and strings need a font file; add --font FILE"},
+      {!is_size(target.min_px), no_size("--min-px", target.min_px)},
+      {!is_size(target.max_px), no_size("--max-px", target.max_px)},
+      {target.min_px > target.max_px,
+       "--min-px " + shown(target.min_px) + " is above --max-px " +
+           shown(target.max_px) + "; give both, the smaller size as --min-px"},
+      {!is_whole_within(target.tolerance, 1, 255),
+       "--tolerance is a whole number within 1..255, such as 16/255"},
+      {target.band_px != 0 && !is_band(target),
+       "--band-px is at least 0.75, and at most 3/16 em at --min-px; the fixed "
+       "predicate has its own"},
+      {target.effort < 0 || target.effort > 9,
+       "--effort is a whole number within 0..9"},
+      {!is_outline && has_morphs,
+       "--morph moves outlines; use --coding outline, or leave it out"},
+      {!is_outline && has_masters,
+       "--axis with two values makes outlines that morph; use --coding "
+       "outline, or give one value"},
+      {block_sizes.count(request.paged) == 0,
+       "--paged " + std::to_string(request.paged) +
+           ": blocks have 512, 1024, 2048 or 4096 bytes"},
+      {is_paged && !is_outline,
+       "--paged is for outlines; leave --coding field out"},
+      {is_paged && has_morphs,
+       "--morph needs a font in mapped memory; leave --paged out, or morph "
+       "glyphs of another font"},
+      {is_paged && has_masters,
+       "--axis with two values needs a font in mapped memory; leave --paged "
+       "out, or give one value"},
+      {is_paged && !request.string_files.empty(),
+       "--strings: runs of glyphs are for fonts in mapped memory; leave "
+       "--paged out, or shape them with another font"},
+      {is_outline && target.predicate == Predicate::fixed,
+       "--predicate fixed is the paper's, for its cells; use --coding field"}};
+  for (const auto& [is_broken, what] : rules) {
+    if (is_broken) {
+      throw Error(what);
     }
-    if (target.coding != Coding::outline) {
-      throw Error("--paged is for outlines; leave --coding field out");
-    }
-    if (!request.morphs.empty()) {
-      throw Error(
-          "--morph needs a font in mapped memory; leave --paged out, or morph "
-          "glyphs of another font");
-    }
-    if (has_masters) {
-      throw Error(
-          "--axis with two values needs a font in mapped memory; leave --paged "
-          "out, or give one value");
-    }
-    if (!request.string_files.empty()) {
-      throw Error(
-          "--strings: runs of glyphs are for fonts in mapped memory; leave "
-          "--paged out, or shape them with another font");
-    }
-  }
-  if (target.coding != Coding::field && target.predicate == Predicate::fixed) {
-    throw Error(
-        "--predicate fixed is the paper's, for its cells; use --coding "
-        "field");
   }
 }
 
