@@ -92,22 +92,11 @@ CharSet characters_in(const FontFile& file, const CharSet& characters) {
 }
 
 bool is_letter_mark_or_digit(char32_t c) {
-  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
-    case HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER:
-    case HB_UNICODE_GENERAL_CATEGORY_MODIFIER_LETTER:
-    case HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER:
-    case HB_UNICODE_GENERAL_CATEGORY_TITLECASE_LETTER:
-    case HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER:
-    case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
-    case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
-    case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
-    case HB_UNICODE_GENERAL_CATEGORY_DECIMAL_NUMBER:
-    case HB_UNICODE_GENERAL_CATEGORY_LETTER_NUMBER:
-    case HB_UNICODE_GENERAL_CATEGORY_OTHER_NUMBER:
-      return true;
-    default:
-      return false;
-  }
+  const auto category =
+      hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
+  // HarfBuzz numbers kinds of letters, then of marks, then of numbers.
+  return category >= HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER &&
+         category <= HB_UNICODE_GENERAL_CATEGORY_OTHER_NUMBER;
 }
 
 // Characters that layout needs beside `asked`, if the files have them.
