@@ -2,21 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/field/cell.hpp"
 
 namespace inkcell::tools {
 
-/// A leaf, from its lower left corner. [u]
-struct LeafCell {
-  int32_t x_u = 0;
-  int32_t y_u = 0;
-  int32_t side_u = 0;
-  bool is_saturated = false;
-};
-
-/// Each leaf once; empty for a glyph without ink.
-std::vector<LeafCell> leaf_cells(const GlyphField& field);
+/// Calls visit(cell) for each leaf of a field once, from below, from the left.
+template <typename Visit>
+void for_each_cell(const GlyphField& field, const Visit& visit) {
+  for (int32_t y = field.y0_u; y < field.y1_u(); ++y) {
+    for (int32_t x = field.x0_u; x < field.x1_u();) {
+      const Cell cell = locate(field, x, y);
+      if (cell.y0_u == y) {
+        visit(cell);
+      }
+      x = cell.x0_u + (1 << cell.size_log2);
+    }
+  }
+}
 
 }  // namespace inkcell::tools

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bytes.hpp"
+#include "cells.hpp"
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
@@ -92,19 +93,6 @@ void take_morphs(const Font& font, FontCensus& census) {
 }
 
 }  // namespace
-
-void for_each_cell(const GlyphField& field,
-                   const std::function<void(const Cell&)>& visit) {
-  for (int32_t y = field.y0_u; y < field.y1_u(); ++y) {
-    for (int32_t x = field.x0_u; x < field.x1_u();) {
-      const Cell cell = locate(field, x, y);
-      if (cell.y0_u == y) {
-        visit(cell);
-      }
-      x = cell.x0_u + (1 << cell.size_log2);
-    }
-  }
-}
 
 void add_parts(const std::vector<RecordPart>& parts,
                std::vector<RecordPart>& sum) {

@@ -3,20 +3,15 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "grid_hints.hpp"
-#include "inkcell/field/cell.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "inkcell/font.hpp"
 #include "outline_points.hpp"
 
 namespace inkcell::tools {
-
-/// Calls `visit` for every leaf of a field, from below, from the left.
-void for_each_cell(const GlyphField& field,
-                   const std::function<void(const Cell&)>& visit);
 
 /// Bytes of a part of a record.
 struct RecordPart {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "canvas.hpp"
+#include "cells.hpp"
 #include "census.hpp"
 #include "colours.hpp"
-#include "inkcell/field/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "outline_field.hpp"
 

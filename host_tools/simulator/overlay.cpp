@@ -92,14 +92,15 @@ void add_contour(const OutlineContour& contour,
 }
 
 void add_leaves(const GlyphField& field, const Map& map, Overlay& overlay) {
-  for (const LeafCell& cell : leaf_cells(field)) {
-    const int x1 = cell.x_u + cell.side_u;
-    const int y1 = cell.y_u + cell.side_u;
+  for_each_cell(field, [&](const Cell& cell) {
+    const int x0 = cell.x0_u;
+    const int y0 = cell.y0_u;
+    const int side = 1 << cell.size_log2;
     overlay.leaves.push_back(
-        {{map.from_u(cell.x_u, cell.y_u), map.from_u(x1, cell.y_u),
-          map.from_u(x1, y1), map.from_u(cell.x_u, y1)},
-         cell.is_saturated});
-  }
+        {{map.from_u(x0, y0), map.from_u(x0 + side, y0),
+          map.from_u(x0 + side, y0 + side), map.from_u(x0, y0 + side)},
+         cell.is_saturated()});
+  });
 }
 
 }  // namespace

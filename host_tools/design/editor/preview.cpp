@@ -41,10 +41,11 @@ void add_cells(const PreviewJob& job, Preview& preview) {
   const GlyphField& field = made.field();
   preview.cell_bytes = made.bytes();
   const double scale = job.project.units_per_em() / gen::kUPerEm;
-  for (const tools::LeafCell& cell : tools::leaf_cells(field)) {
-    preview.cells.push_back({scale * cell.x_u, scale * cell.y_u,
-                             scale * cell.side_u, cell.is_saturated});
-  }
+  tools::for_each_cell(field, [&](const Cell& cell) {
+    preview.cells.push_back({scale * cell.x0_u, scale * cell.y0_u,
+                             scale * (1 << cell.size_log2),
+                             cell.is_saturated()});
+  });
 }
 
 void add_facts(const gen::FontReport& report,
