@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "base/byte_writer.hpp"
+
 namespace inkcell::tools {
 namespace {
 
@@ -46,15 +48,10 @@ class LeafWriter {
   }
 
   void write(const gen::SampleCell& cell, int x, int y, int level) {
-    put_u16(x);
-    put_u16(y);
-    out_.push_back(static_cast<uint8_t>(level));
+    gen::put_u16(out_, static_cast<unsigned>(x));
+    gen::put_u16(out_, static_cast<unsigned>(y));
+    gen::put_u8(out_, static_cast<unsigned>(level));
     out_.insert(out_.end(), cell.begin(), cell.end());
-  }
-
-  void put_u16(int value) {
-    out_.push_back(static_cast<uint8_t>(value & 0xff));
-    out_.push_back(static_cast<uint8_t>(value >> 8));
   }
 
   const gen::SampleTree& glyph_;
