@@ -309,22 +309,35 @@ Image draw_frame(Player& player, DisplayMemory& memory, int rows) {
   return memory.picture();
 }
 
-void play(const Arguments& arguments, Player& player, Size size) {
+// Draws the frames, and writes each.
+void write_frames(const Arguments& arguments,
+                  Size size,
+                  const std::function<Image(uint32_t number)>& draw) {
   const Frames frames = frames_of(arguments);
   const Output output = open_output(arguments, size, frames.count);
+  Progress progress(false, "frames");
+  for (uint32_t i = 0; i < frames.count; ++i) {
+    const uint32_t number = frames.first + i * frames.step;
+    const Image frame = draw(number);
+    output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
+               number);
+    progress.update(i + 1, frames.count);
+  }
+  output.finish();
+}
+
+void play(const Arguments& arguments, Player& player, Size size) {
   DisplayMemory memory(Display::xrgb8888, size.width, size.height);
   Image before;
   Tally tally;
-  Progress progress(false, "frames");
   uint32_t due = 0;
-  for (uint32_t i = 0; i < frames.count; ++i) {
-    const uint32_t number = frames.first + i * frames.step;
+  write_frames(arguments, size, [&](uint32_t number) {
     player.set_frame(number);
     Image frame = draw_frame(player, memory, arguments.rows);
     std::array<Rect, 8> room;
     DirtyRects dirty({room.data(), room.size()});
     player.add_changes(dirty);
-    if (i != 0) {
+    if (before.width != 0) {
       compare(before, frame, dirty.rects(), number >= due, tally);
     }
     due = player.next_due();
@@ -337,46 +350,34 @@ void play(const Arguments& arguments, Player& player, Size size) {
     tally.all.add(frame.pixels);
     tally.states.add(state);
     tally.pictures.add(frame.pixels);
-    output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
-               number);
-    before = std::move(frame);
-    progress.update(i + 1, frames.count);
-  }
-  output.finish();
+    before = frame;
+    return frame;
+  });
   if (!arguments.stats.empty()) {
-    write_stats(arguments, player, size, frames, tally);
+    write_stats(arguments, player, size, frames_of(arguments), tally);
   }
 }
 
 // Plays scenes beside one another.
 void play_reel(const Arguments& arguments, const Font& font, Size size) {
+  const int width = size.width / kReelColumns;
+  const int height = size.height / kReelRows;
   std::vector<std::unique_ptr<Player>> players;
   for (const std::string_view name : kReel) {
     const SceneKind& kind = find_scene(std::string(name));
-    players.push_back(open_scene(kind, font, kind.text,
-                                 size.width / kReelColumns,
-                                 size.height / kReelRows));
+    players.push_back(open_scene(kind, font, kind.text, width, height));
   }
-  DisplayMemory memory(Display::xrgb8888, size.width / kReelColumns,
-                       size.height / kReelRows);
-  const Frames frames = frames_of(arguments);
-  const Output output = open_output(arguments, size, frames.count);
-  Progress progress(false, "frames");
-  for (uint32_t i = 0; i < frames.count; ++i) {
-    const uint32_t number = frames.first + i * frames.step;
+  DisplayMemory memory(Display::xrgb8888, width, height);
+  write_frames(arguments, size, [&](uint32_t number) {
     Image whole(size.width, size.height, 3);
     for (size_t k = 0; k < players.size(); ++k) {
       players[k]->set_frame(number);
-      const Image frame = draw_frame(*players[k], memory, arguments.rows);
-      const int x = static_cast<int>(k) % kReelColumns * frame.width;
-      const int y = static_cast<int>(k) / kReelColumns * frame.height;
-      paste(frame, x, y, whole);
+      paste(draw_frame(*players[k], memory, arguments.rows),
+            static_cast<int>(k) % kReelColumns * width,
+            static_cast<int>(k) / kReelColumns * height, whole);
     }
-    output.add(arguments.zoom == 1 ? whole : enlarge(whole, arguments.zoom),
-               number);
-    progress.update(i + 1, frames.count);
-  }
-  output.finish();
+    return whole;
+  });
 }
 
 void run_reel(Arguments& arguments, const CLI::App& app) {
