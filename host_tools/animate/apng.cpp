@@ -1,23 +1,19 @@
-// Filters rows by the heuristic of the PNG specification and packs them by
-// zlib.
+// Puts pictures that libpng packs into the chunks of an animation.
 #include "apng.hpp"
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
-#include "inkcell/strip.hpp"
-
 namespace inkcell::tools {
 namespace {
 
-constexpr size_t kChannels = 3;
+constexpr std::array<char, 8> kSignature = {'\x89', 'P',  'N',    'G',
+                                            '\r',   '\n', '\x1a', '\n'};
 
 void put_u16(std::vector<uint8_t>& out, uint32_t value) {
   out.push_back(static_cast<uint8_t>(value >> 8));
@@ -29,80 +25,22 @@ void put_u32(std::vector<uint8_t>& out, uint32_t value) {
   put_u16(out, value & 0xffff);
 }
 
-// The box of the pixels that differ; one pixel if none do.
-Rect changes(const Image& a, const Image& b) {
-  Rect rect = {b.width, b.height, 0, 0};
-  for (int y = 0; y < b.height; ++y) {
-    for (int x = 0; x < b.width; ++x) {
-      if (std::memcmp(a.at(x, y), b.at(x, y), kChannels) != 0) {
-        rect = {std::min(rect.x0, x), std::min(rect.y0, y),
-                std::max(rect.x1, x + 1), std::max(rect.y1, y + 1)};
-      }
+// The pixels of a picture as libpng packs them: what its chunks IDAT hold.
+std::string packed(const Image& image) {
+  constexpr size_t kAround = 12;  // length, kind and checksum of a chunk
+  const std::string png = encode_png(image);
+  std::string pixels;
+  for (size_t at = kSignature.size(); at + kAround <= png.size();) {
+    size_t size = 0;
+    for (size_t i = 0; i < 4; ++i) {
+      size = size << 8 | static_cast<uint8_t>(png[at + i]);
     }
-  }
-  return is_empty(rect) ? Rect{0, 0, 1, 1} : rect;
-}
-
-uint8_t paeth(int left, int up, int corner) {
-  const int guess = left + up - corner;
-  const int to_left = std::abs(guess - left);
-  const int to_up = std::abs(guess - up);
-  const int to_corner = std::abs(guess - corner);
-  const int best = to_left <= to_up && to_left <= to_corner ? left
-                   : to_up <= to_corner                     ? up
-                                                            : corner;
-  return static_cast<uint8_t>(best);
-}
-
-// Applies each of the five filters to a row and keeps the one with the smallest
-// sum of absolute values.
-void filter_row(const uint8_t* row,
-                const uint8_t* above,
-                size_t size,
-                std::vector<uint8_t>& out) {
-  std::array<std::vector<uint8_t>, 5> candidates;
-  size_t best = 0;
-  uint64_t least = UINT64_MAX;
-  for (size_t kind = 0; kind < candidates.size(); ++kind) {
-    std::vector<uint8_t>& bytes = candidates.at(kind);
-    bytes.push_back(static_cast<uint8_t>(kind));
-    uint64_t sum = 0;
-    for (size_t i = 0; i < size; ++i) {
-      const int left = i >= kChannels ? row[i - kChannels] : 0;
-      const int up = above != nullptr ? above[i] : 0;
-      const int corner =
-          above != nullptr && i >= kChannels ? above[i - kChannels] : 0;
-      const int guess = kind == 0   ? 0
-                        : kind == 1 ? left
-                        : kind == 2 ? up
-                        : kind == 3 ? (left + up) / 2
-                                    : paeth(left, up, corner);
-      const auto byte = static_cast<uint8_t>(row[i] - guess);
-      bytes.push_back(byte);
-      sum += static_cast<uint64_t>(std::abs(static_cast<int8_t>(byte)));
+    if (png.compare(at + 4, 4, "IDAT") == 0) {
+      pixels += png.substr(at + 8, size);
     }
-    if (sum < least) {
-      least = sum;
-      best = kind;
-    }
+    at += size + kAround;
   }
-  out.insert(out.end(), candidates.at(best).begin(), candidates.at(best).end());
-}
-
-std::vector<uint8_t> packed(const Image& image, const Rect& part) {
-  const size_t size = static_cast<size_t>(part.x1 - part.x0) * kChannels;
-  std::vector<uint8_t> rows;
-  for (int y = part.y0; y < part.y1; ++y) {
-    filter_row(image.at(part.x0, y),
-               y == part.y0 ? nullptr : image.at(part.x0, y - 1), size, rows);
-  }
-  uLongf bytes = compressBound(rows.size());
-  std::vector<uint8_t> result(bytes);
-  if (compress2(result.data(), &bytes, rows.data(), rows.size(), 6) != Z_OK) {
-    throw std::runtime_error("zlib could not pack a frame");
-  }
-  result.resize(bytes);
-  return result;
+  return pixels;
 }
 
 }  // namespace
@@ -117,8 +55,6 @@ ApngWriter::ApngWriter(const std::filesystem::path& file,
       before_(width, height, 3),
       frame_count_(frame_count),
       frames_per_second_(static_cast<uint16_t>(frames_per_second)) {
-  constexpr std::array<char, 8> kSignature = {'\x89', 'P',  'N',    'G',
-                                              '\r',   '\n', '\x1a', '\n'};
   out_.write(kSignature.data(), kSignature.size());
   std::vector<uint8_t> header;
   put_u32(header, static_cast<uint32_t>(width));
@@ -149,7 +85,7 @@ void ApngWriter::add(const Image& frame) {
   if (frames_ != 0) {
     put_u32(data, sequence_++);
   }
-  const std::vector<uint8_t> pixels = packed(frame, part);
+  const std::string pixels = packed(cut(frame, part));
   data.insert(data.end(), pixels.begin(), pixels.end());
   if (frames_ == 0) {
     write_chunk("IDAT", data);

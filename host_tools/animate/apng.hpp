@@ -12,7 +12,7 @@ namespace inkcell::tools {
 
 /// Writes frames one by one (PNG third edition, chunks acTL, fcTL, fdAT). After
 /// the first each is the rectangle that changed. The same frames give the same
-/// bytes with the same zlib.
+/// bytes with the same libpng and zlib.
 class ApngWriter {
  public:
   /// Frames have three channels and this size; each is shown for 1 /

@@ -39,21 +39,6 @@ int square(int value) {
   return value * value;
 }
 
-// The box of the pixels that differ; one pixel if none do.
-Rect changes(const std::vector<uint8_t>& a,
-             const std::vector<uint8_t>& b,
-             int width) {
-  Rect box;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (a[i] != b[i]) {
-      const int x = static_cast<int>(i) % width;
-      const int y = static_cast<int>(i) / width;
-      box = bounding_box(box, {x, y, x + 1, y + 1});
-    }
-  }
-  return is_empty(box) ? Rect{0, 0, 1, 1} : box;
-}
-
 int append(GifFileType* gif, const GifByteType* bytes, int count) {
   auto& out = *static_cast<std::vector<uint8_t>*>(gif->UserData);
   out.insert(out.end(), bytes, bytes + count);
@@ -244,19 +229,19 @@ std::vector<uint8_t> GifWriter::encode(const Palette& palette,
   require(EGifPutExtensionBlock(gif.get(), kForEver.size(), kForEver.data()));
   require(EGifPutExtensionTrailer(gif.get()));
   std::vector<uint16_t> cells(before_.pixels.size() / 3);
-  std::vector<uint8_t> before;
-  std::vector<uint8_t> now(cells.size());
+  Image before;
+  Image now(width, height);
   for (size_t number = 0; number < frames_.size(); number += step) {
     uLongf size = 2 * cells.size();
     if (uncompress(reinterpret_cast<Bytef*>(cells.data()), &size,
                    frames_[number].data(), frames_[number].size()) != Z_OK) {
       throw std::runtime_error("zlib could not unpack a frame");
     }
-    std::transform(cells.begin(), cells.end(), now.begin(),
+    std::transform(cells.begin(), cells.end(), now.pixels.begin(),
                    [&](uint16_t cell) { return palette.index[cell]; });
-    const bool is_first = before.empty();
+    const bool is_first = before.pixels.empty();
     const Rect part =
-        is_first ? Rect{0, 0, width, height} : changes(before, now, width);
+        is_first ? Rect{0, 0, width, height} : changes(before, now);
     // Whole hundredths of a second from frame to frame; the mean is exact.
     const auto time = [&](size_t frame) {
       return static_cast<int>(frame * 100 /
@@ -276,12 +261,10 @@ std::vector<uint8_t> GifWriter::encode(const Palette& palette,
     std::vector<GifByteType> row(static_cast<size_t>(part.x1 - part.x0));
     for (int y = part.y0; y < part.y1; ++y) {
       for (int x = part.x0; x < part.x1; ++x) {
-        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(width) +
-                         static_cast<size_t>(x);
         row[static_cast<size_t>(x - part.x0)] =
-            !is_first && now[i] == before[i]
+            !is_first && *now.at(x, y) == *before.at(x, y)
                 ? static_cast<GifByteType>(control.TransparentColor)
-                : now[i];
+                : *now.at(x, y);
       }
       require(EGifPutLine(gif.get(), row.data(), static_cast<int>(row.size())));
     }

@@ -1,8 +1,6 @@
 // Writes pictures: PNG through libpng, PGM and PPM directly.
 #include "image.hpp"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -12,6 +10,7 @@
 #include <string>
 
 #include "files.hpp"
+#include "png.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -21,29 +20,10 @@ namespace {
   throw std::runtime_error(file.string() + ": cannot be written: " + why);
 }
 
-void write_pnm(const std::filesystem::path& file, const Image& image) {
-  std::ofstream out(file, std::ios::binary);
-  out << (image.channels == 1 ? "P5" : "P6") << '\n'
-      << image.width << ' ' << image.height << "\n255\n";
-  out.write(reinterpret_cast<const char*>(image.pixels.data()),
-            static_cast<std::streamsize>(image.pixels.size()));
-  out.close();
-  if (!out) {
-    refuse(file, std::strerror(errno));
-  }
-}
-
-void write_png(const std::filesystem::path& file, const Image& image) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = static_cast<png_uint_32>(image.width);
-  header.height = static_cast<png_uint_32>(image.height);
-  header.format = image.channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
-  const int written = png_image_write_to_file(&header, file.c_str(), 0,
-                                              image.pixels.data(), 0, nullptr);
-  if (written == 0) {
-    refuse(file, header.message);
-  }
+std::string encode_pnm(const Image& image) {
+  return (image.channels == 1 ? "P5\n" : "P6\n") + std::to_string(image.width) +
+         " " + std::to_string(image.height) + "\n255\n" +
+         std::string(image.pixels.begin(), image.pixels.end());
 }
 
 }  // namespace
@@ -67,6 +47,28 @@ Image enlarge(const Image& image, int factor) {
   return result;
 }
 
+Image cut(const Image& image, const Rect& part) {
+  Image result(part.x1 - part.x0, part.y1 - part.y0, image.channels);
+  for (int y = 0; y < result.height; ++y) {
+    std::copy_n(image.at(part.x0, part.y0 + y), result.width * image.channels,
+                result.at(0, y));
+  }
+  return result;
+}
+
+Rect changes(const Image& before, const Image& now) {
+  Rect box;
+  for (int y = 0; y < now.height; ++y) {
+    for (int x = 0; x < now.width; ++x) {
+      if (std::memcmp(before.at(x, y), now.at(x, y),
+                      static_cast<size_t>(now.channels)) != 0) {
+        box = bounding_box(box, {x, y, x + 1, y + 1});
+      }
+    }
+  }
+  return is_empty(box) ? Rect{0, 0, 1, 1} : box;
+}
+
 void paste(const Image& from, int x, int y, Image& to) {
   for (int row = 0; row < from.height; ++row) {
     const uint8_t* line = from.at(0, row);
@@ -78,6 +80,11 @@ void invert(Image& image) {
   for (uint8_t& value : image.pixels) {
     value = static_cast<uint8_t>(255 - value);
   }
+}
+
+std::string encode_png(const Image& image) {
+  return encode_png(image.width, image.height, image.channels == 1,
+                    image.pixels);
 }
 
 void check_folder_of(const std::filesystem::path& file) {
@@ -110,10 +117,13 @@ void write_image(const std::filesystem::path& file, const Image& image) {
   if (image.width <= 0 || image.height <= 0) {
     refuse(file, "the picture has no pixels");
   }
-  if (file.extension() == ".png") {
-    write_png(file, image);
-  } else {
-    write_pnm(file, image);
+  const std::string bytes =
+      file.extension() == ".png" ? encode_png(image) : encode_pnm(image);
+  std::ofstream out(file, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) {
+    refuse(file, std::strerror(errno));
   }
 }
 

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
+
+#include "inkcell/geometry.hpp"
 
 namespace inkcell::tools {
 
@@ -32,6 +35,13 @@ struct Image {
 /// Every pixel as a square of `factor` x `factor` pixels.
 Image enlarge(const Image& image, int factor);
 
+/// A part of a picture.
+Image cut(const Image& image, const Rect& part);
+
+/// The box of the pixels that differ between pictures of one size and kind; one
+/// pixel if none do.
+Rect changes(const Image& before, const Image& now);
+
 /// Copies `from` to `to`, its upper left pixel at (x, y). Both have as
 /// many channels.
 void paste(const Image& from, int x, int y, Image& to);
@@ -46,6 +56,9 @@ void check_image_file(const std::filesystem::path& file, int channels);
 /// The same for any kind of file; also refuses '-', which many take for
 /// standard output.
 void check_folder_of(const std::filesystem::path& file);
+
+/// The content of a PNG file. Throws std::runtime_error.
+std::string encode_png(const Image& image);
 
 /// Writes by the file's suffix: .png, .pgm (grey) or .ppm (colour).
 ///

@@ -426,11 +426,7 @@ Image draw_sheet(const Font& font, double px) {
     line.glyphs.push_back({0, 0, static_cast<uint16_t>(i)});
     const double slack = box_width - measures.advance * scale;
     draw_lines(font, {line}, style, make_point(slack / 2, rise + 4), box);
-    const int x0 = i % columns * box_width;
-    const int y0 = i / columns * box_height;
-    for (int y = 0; y < box_height; ++y) {
-      std::copy_n(box.at(0, y), box_width, image.at(x0, y0 + y));
-    }
+    paste(box, i % columns * box_width, i / columns * box_height, image);
   }
   invert(image);
   for (int y = 0; y < image.height; ++y) {

@@ -16,17 +16,6 @@ constexpr double kLabelPx = 13;
 constexpr uint32_t kPaper = 0xffffff;
 constexpr uint32_t kLabel = 0x303030;
 
-Image cut(const Image& image, int x, int width) {
-  Image part(width, image.height, 3);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const uint8_t* from = image.at(x + column, row);
-      std::copy(from, from + 3, part.at(column, row));
-    }
-  }
-  return part;
-}
-
 }  // namespace
 
 Image colour_image(int width, int height, uint32_t colour) {
@@ -109,8 +98,10 @@ Image Sheet::finish() const {
     const int y = tops[i / columns];
     write_text(font_, labels_[i], style, x, y + kLabelPx, kLabel, sheet);
     paste(samples_[i], x, y + kLabelHeight, sheet);
-    paste(enlarge(cut(samples_[i], layout_.zoomed_x, layout_.zoomed_width),
-                  layout_.zoom),
+    const Rect enlarged = {layout_.zoomed_x, 0,
+                           layout_.zoomed_x + layout_.zoomed_width,
+                           samples_[i].height};
+    paste(enlarge(cut(samples_[i], enlarged), layout_.zoom),
           x + layout_.width + kGap, y + kLabelHeight, sheet);
   }
   return sheet;

@@ -165,13 +165,9 @@ Image in_colour(const Image& grey) {
 }
 
 Image middle_of(const Image& image) {
-  Image part(kMiddle, kMiddle, 3);
-  const int first = (kSide - kMiddle) / 2;
-  for (int y = 0; y < kMiddle; ++y) {
-    const uint8_t* line = image.at(first, first + y);
-    std::copy(line, line + 3 * kMiddle, part.at(0, y));
-  }
-  return enlarge(part, kZoom);
+  constexpr int kFirst = (kSide - kMiddle) / 2;
+  constexpr int kEnd = kFirst + kMiddle;
+  return enlarge(cut(image, {kFirst, kFirst, kEnd, kEnd}), kZoom);
 }
 
 }  // namespace

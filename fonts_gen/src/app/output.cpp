@@ -1,7 +1,5 @@
 #include "app/output.hpp"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/identifier.hpp"
 #include "files.hpp"
+#include "png.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -93,25 +92,7 @@ void OutputFile::commit() {
 }
 
 std::string encode_png(const Preview& preview) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = static_cast<png_uint_32>(preview.width);
-  header.height = static_cast<png_uint_32>(preview.height);
-  header.format = PNG_FORMAT_GRAY;
-  png_alloc_size_t size = 0;
-  std::string png;
-  // The first call returns the size that the second one needs.
-  for (int pass = 0; pass < 2; ++pass) {
-    png.resize(size);
-    if (png_image_write_to_memory(&header, pass == 0 ? nullptr : png.data(),
-                                  &size, 0, preview.pixels.data(), 0,
-                                  nullptr) == 0) {
-      throw Error(std::string("the preview cannot be encoded: ") +
-                  header.message);
-    }
-  }
-  png.resize(size);
-  return png;
+  return tools::encode_png(preview.width, preview.height, true, preview.pixels);
 }
 
 void check_identifier(const std::string& name) {

@@ -36,7 +36,7 @@ class OutputFile {
 /// take for standard output.
 void check_writable(const std::filesystem::path& target);
 
-/// A preview as the content of a PNG file. Throws Error.
+/// A preview as the content of a PNG file. Throws std::runtime_error.
 std::string encode_png(const Preview& preview);
 
 /// Throws Error unless `name` is an identifier in C and C++ and no keyword.
