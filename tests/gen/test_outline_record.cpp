@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "outline_reader.hpp"
+#include "outlines/code_search.hpp"
 #include "paths.hpp"
 #include "shape/outline.hpp"
 

@@ -201,7 +201,7 @@ void check_cells(const Trial& trial, const TextLine& line) {
   const detail::Setting setting = {trial.box.options, painter};
   detail::LineCursor cursor(setting, text, line);
   cursor.align(trial.room());
-  detail::Cell cell;
+  detail::LineCell cell;
   std::set<uint32_t> seen;
   int32_t digit_width = -1;
   while (cursor.next(cell)) {
