@@ -85,7 +85,7 @@ def pack(made):
                       header.done | c_header.done)
     for path in sources_of(made / "src"):
         c_source.add(path)
-    version = re.search(r"VERSION ([\d.]+)",
+    version = re.search(r"inkcell VERSION ([\d.]+)",
                         (ROOT / "CMakeLists.txt").read_text()).group(1)
     licence = "".join(f"// {line}".rstrip() + "\n" for line in
                       (ROOT / "LICENSE").read_text().splitlines())

@@ -38,6 +38,10 @@ def build(work, _, fontgen):
     call(sys.executable, "-B", ROOT / "port/two_files/pack.py", library)
     if packed != {path.name: path.read_bytes() for path in library.iterdir()}:
         finish(0, ["two_files: packed twice, the files differ"])
+    version = call(fontgen, "--version").split()[1].rstrip(",")
+    for name, text in packed.items():
+        if not text.startswith(f"// Inkcell {version}:".encode()):
+            finish(0, [f"two_files: {name} does not begin with version {version}"])
     # Every compiler takes them, with all warnings.
     in_parallel(call, [
         (*command, *DEVICE_FLAGS, *STRICT, "-Os", "-c", library / "inkcell.cpp",
