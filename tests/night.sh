@@ -11,6 +11,7 @@
 #   mutate     mistakes in the core that no unit test notices
 #   coverage   lines and branches of the core that no test runs
 #   fuzz       four fuzzers, an hour
+#   release    tests/release.sh: the files of a release, as users take them
 #   bare       tests/bare.sh: demo, page and tests on a bare Debian; needs root
 #
 # Commit the documents that it changed by themselves. LVGL is measured where
@@ -19,7 +20,7 @@
 # passed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-all='bench programs corpus editing mutate coverage fuzz bare'
+all='bench programs corpus editing mutate coverage fuzz release bare'
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
   exit 2
@@ -68,6 +69,7 @@ wanted editing && step editing editing
 wanted mutate && step mutate sh tests/mutate.sh
 wanted coverage && step coverage sh tests/coverage.sh
 wanted fuzz && step fuzz sh tests/fuzz/run.sh 3600
+wanted release && step release sh tests/release.sh
 wanted bare && step bare bare
 git status --short docs README.md
 summary
