@@ -7,6 +7,7 @@
 #   inkcell_setup tests    # first, studio, and what the other tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
+#   inkcell_setup fonts    # the faces of host_tools/release/fonts.py, but npm's
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #   inkcell_setup packages NAME...
@@ -47,6 +48,12 @@ inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zop
 inkcell_packages_exe="cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64
   dpkg-dev libcli11-dev nlohmann-json3-dev"
 
+inkcell_packages_fonts="python3 fonts-inter fonts-noto-core
+  fonts-roboto-unhinted fonts-open-sans fonts-manrope fonts-dejavu-core
+  fonts-b612 fonts-crosextra-caladea fonts-jetbrains-mono fonts-firacode
+  fonts-bebas-neue fonts-roboto-slab fonts-dseg fonts-dotgothic16
+  fonts-spleen fonts-font-awesome fonts-material-design-icons-iconfont"
+
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
 # The packages of "$@" that are not installed, each once.
@@ -65,11 +72,12 @@ inkcell_setup() {
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     web) inkcell_wanted=$inkcell_packages_web ;;
     exe) inkcell_wanted=$inkcell_packages_exe ;;
+    fonts) inkcell_wanted=$inkcell_packages_fonts ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|studio|first|tests|web|exe|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|studio|first|tests|web|exe|fonts|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac
