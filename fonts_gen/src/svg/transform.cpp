@@ -15,9 +15,11 @@ namespace {
 
 constexpr std::string_view kSeparators = " \t\r\n,";
 
+// `v`: as many numbers as are written.
 std::optional<Affine> one_transform(std::string_view name,
-                                    const std::vector<double>& v) {
+                                    std::vector<double> v) {
   const size_t count = v.size();
+  v.resize(6);  // what is left out is 0
   if (name == "matrix" && count == 6) {
     return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
   }
