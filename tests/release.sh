@@ -13,7 +13,7 @@ inkcell_setup packages git unzip
 export PATH="/usr/lib/ccache:$PATH" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 release=$PWD/build/release
 work=$PWD/build/release-test
-fontgen=$PWD/build/host/fonts_gen/inkcell-fontgen
+fontgen=$PWD/build/fontgen/inkcell-fontgen
 font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 rm -rf "$work"
 mkdir -p "$work/fonts"
@@ -39,8 +39,8 @@ for piece in "$release"/*.zip; do
 done
 
 echo "== one picture by the checkout and by the two files"
-[ -f build/host/build.ninja ] || cmake --preset host -DINKCELL_JOIN_FOLDERS=ON
-cmake --build build/host --target inkcell-fontgen
+cmake -G Ninja -S fonts_gen -B build/fontgen -DCMAKE_BUILD_TYPE=Release
+cmake --build build/fontgen
 cmake -G Ninja -S tests/release -B "$work/checkout" -DCMAKE_BUILD_TYPE=Release \
   "-DINKCELL_FONTGEN=$fontgen" "-DFONT=$font"
 cmake --build "$work/checkout" --target picture

@@ -21,11 +21,13 @@ import concurrent.futures
 import json
 import os
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_tools/common"))
+from png_bytes import png  # noqa: E402
 
 DEBIAN_FONTS = pathlib.Path("/usr/share/fonts")
 DEBIAN_DOC = pathlib.Path("/usr/share/doc")
@@ -150,17 +152,6 @@ def grey_picture(path):
     return [pixels[y * width:(y + 1) * width] for y in range(height)]
 
 
-def write_png(path, rows):
-    def chunk(kind, data):
-        return (struct.pack(">I", len(data)) + kind + data +
-                struct.pack(">I", zlib.crc32(kind + data)))
-
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
-    lines = b"".join(b"\0" + row for row in rows)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
-                     chunk(b"IDAT", zlib.compress(lines, 9)) + chunk(b"IEND", b""))
-
-
 class Maker:
     """Makes all that one face has, on one core."""
 
@@ -214,7 +205,8 @@ class Maker:
         rows = [*gap]
         for line in lines:
             rows += [*map(padded, line), *gap]
-        write_png(self.folder / f"specimens/{face.name}.png", rows)
+        picture = png(width, 1, b"".join(rows))
+        (self.folder / f"specimens/{face.name}.png").write_bytes(picture)
 
 
 def bytes_of(face, name):

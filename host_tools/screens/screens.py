@@ -16,16 +16,18 @@ import pathlib
 import select
 import shutil
 import socket
-import struct
 import subprocess
 import sys
 import tempfile
 import time
-import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_tools/common"))
+from png_bytes import png  # noqa: E402
 
 # Ends a firmware that hangs before its first frame. [s]
 READY_TIMEOUT = 1200
-RUNNER = pathlib.Path(__file__).resolve().parents[2] / "boards/common/qemu_run.sh"
+RUNNER = ROOT / "boards/common/qemu_run.sh"
 
 
 class Failure(Exception):
@@ -48,19 +50,7 @@ class Picture:
         return tuple(self.pixels[3 * index:3 * index + 3])
 
     def save_png(self, path):
-        def chunk(kind, data):
-            check = zlib.crc32(kind + data)
-            return struct.pack(">I", len(data)) + kind + data + struct.pack(
-                ">I", check)
-
-        stride = self.width * 3
-        rows = b"".join(
-            b"\0" + self.pixels[y * stride:(y + 1) * stride]
-            for y in range(self.height))
-        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
-        pathlib.Path(path).write_bytes(
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
-            chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+        pathlib.Path(path).write_bytes(png(self.width, 3, self.pixels))
 
 
 def compare(shown, expected):

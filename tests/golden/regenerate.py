@@ -10,13 +10,14 @@ Do this when a picture is meant to change, look at sheet.png, and say in the
 commit why it changed. Fonts are frozen: they change only with the format.
 """
 import re
-import struct
 import subprocess
 import sys
-import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "host_tools/common"))
+from png_bytes import png  # noqa: E402
+
 SYSTEM_FONTS = Path("/usr/share/fonts")
 # File, face, characters. Small, but with kerning, a character above U+FFFF and
 # a space.
@@ -78,19 +79,7 @@ def png_from_ppm(ppm):
     if kind != b"P6":
         sys.exit("regenerate.py: not a PPM")
     width, height = int(width), int(height)
-    pixels = ppm[-3 * width * height:]
-    rows = b"".join(b"\0" + pixels[y * 3 * width:(y + 1) * 3 * width]
-                    for y in range(height))
-
-    def chunk(tag, data):
-        crc = zlib.crc32(tag + data)
-        return (struct.pack(">I", len(data)) + tag + data +
-                struct.pack(">I", crc))
-
-    return (b"\x89PNG\r\n\x1a\n" +
-            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0,
-                                       0)) +
-            chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+    return png(width, 3, ppm[-3 * width * height:])
 
 
 def write_pictures(build):

@@ -503,8 +503,8 @@ def check_screenshots(editor):
 
 def check_picture(editor):
     """A picture behind a glyph: shown, saved as it was, taken away."""
-    picture = png(64, 64, [[0 if (x // 8 + y // 8) % 2 else 255
-                            for x in range(64)] for y in range(64)])
+    picture = png(64, 1, bytes(0 if (x // 8 + y // 8) % 2 else 255
+                             for y in range(64) for x in range(64)))
     (editor.folder / "board.png").write_bytes(picture)
     kept = editor.folder / "P.ufo/images/board.png"
     shown, undone, again = editor.run(
