@@ -52,6 +52,13 @@ struct CoverageBlock {
   int32_t stride = 0;  // [bytes] from one row to the next, a multiple of 4
 };
 
+/// What the bytes of painted rows are.
+enum class Painted : uint8_t {
+  other,  // never handed to a sink
+  ramp,   // RampWords; from the word of the pixel before the first one on
+  sums,   // SumWords; from the word of the first pixel on
+};
+
 /// Takes what the renderer draws. Calls come glyph by glyph, and within a glyph
 /// in any order, never the same pixel twice; pixels outside `window` are never
 /// named. Glyphs may overlap: a sink blends over what is there.
@@ -81,12 +88,13 @@ struct Sink {
                        int32_t y,
                        const uint8_t* coverage,
                        int32_t count) = nullptr;
-  /// For sinks of 8 bits a pixel: applies the ramp of filter `text` (ramp.hpp)
-  /// while it writes, which saves a pass over each block. `block.coverage` has
-  /// painted bytes instead, which begin a pixel before `block.pixels`, at a
-  /// multiple of 4. False, and nothing is drawn: the block comes as coverage.
-  /// Null: never called.
-  bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
+  /// Makes coverage of painted rows while it writes, which saves a pass over
+  /// each block. `block.coverage` has painted bytes (painted.hpp), from where
+  /// Painted says, at a multiple of 4. False, and nothing is drawn: the block
+  /// comes as coverage. Null: never called.
+  bool (*painted)(void* context,
+                  const CoverageBlock& block,
+                  Painted bytes) = nullptr;
   /// Of canvases of 1 and 2 bits: Painter calls it. Null: text is drawn as its
   /// style says.
   const detail::LevelRule* levels = nullptr;

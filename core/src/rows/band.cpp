@@ -18,15 +18,15 @@ __attribute__((weak)) PaintPoints paint_distances;
 __attribute__((weak)) PaintPoints paint_wide_distances;
 
 const BandKind kPixelRampBand = {paint_distances, cover_linear,
-                                 BandBytes::distance, true, 128};
+                                 BandBytes::distance, Painted::ramp, 128};
 const BandKind kDistanceBand = {paint_distances, cover_filtered,
-                                BandBytes::distance, false, 128};
+                                BandBytes::distance, Painted::other, 128};
 const BandKind kWideDistanceBand = {paint_wide_distances, cover_filtered,
-                                    BandBytes::distance, false, 0};
-const BandKind kAreaBand = {paint_areas, cover_areas, BandBytes::area, false,
-                            128};
+                                    BandBytes::distance, Painted::other, 0};
+const BandKind kAreaBand = {paint_areas, cover_areas, BandBytes::area,
+                            Painted::sums, 128};
 const BandKind kCrossingBand = {paint_crossings, nullptr, BandBytes::crossings,
-                                false, 0};
+                                Painted::other, 0};
 
 const ScreenPoint* skip_outside(const Band& band,
                                 const ScreenPoint* at,

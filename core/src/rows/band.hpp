@@ -160,7 +160,7 @@ struct BandKind {
   // Painted rows to coverage, in place. Null: only a mixer can.
   void (*cover)(const Band& band, const Filter& filter) noexcept;
   BandBytes bytes;
-  bool is_ramp;  // cover() is what Sink::ramp does
+  Painted painted;  // what Sink::painted makes as cover() does
   // How far from the edge bytes differ from 0; 0: as far as the ramp of the
   // filter, see BandPlan. [px, Q8]
   uint8_t reach_q8;

@@ -4,13 +4,67 @@
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "inkcell/assert.hpp"
-#include "inkcell/ramp.hpp"
+#include "inkcell/painted.hpp"
 #include "rows/source.hpp"
 
 namespace inkcell::detail {
 namespace {
 
-// Sums that roundings carry below 0 or above 240, clamped, to coverage.
+// Painted::ramp with any filter: a pixel at a time.
+struct FilteredWords {
+  const Filter& filter;
+  uint32_t step_q8;  // half of what a 127th of the reach is [px, Q18]
+  uint32_t inside = 0;
+
+  uint32_t same() const noexcept { return inside; }
+
+  uint32_t next(uint32_t bytes) noexcept {
+    uint32_t coverage = 0;
+    for (uint32_t shift = 0; shift != 32; shift += 8) {
+      const uint32_t byte = bytes >> shift & 255;
+      inside ^= 0u - (byte & 1);
+      // The middle of the step. [px, Q10]
+      const auto distance_q10 =
+          static_cast<int32_t>((255 - (byte & 254)) * step_q8 >> 8);
+      coverage |=
+          uint32_t{filter.coverage(inside != 0 ? distance_q10 : -distance_q10)}
+          << shift;
+    }
+    return coverage;
+  }
+};
+
+constexpr uint32_t kSeveral = 1;
+
+// What the pixels of a row up to the end of a word are: 0 or ~0 if all are that
+// and fill the word, else kSeveral.
+inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
+  const uint32_t word = count == 4 ? load_pixels(at) : kSeveral;
+  return word + 1 > 1 ? kSeveral : word;
+}
+
+// A band's words of four pixels to coverage, row by row. `first`: as Words are
+// at the beginning of each.
+template <typename Words>
+inline void cover_words(const Band& band, const Words& first) noexcept {
+  uint8_t* at = band.bytes;
+  const int32_t row_bytes = band.row_bytes();
+  const int32_t skipped = band.stride - row_bytes;
+  for (int32_t row = band.rows; row != 0; --row) {
+    Words words = first;
+    uint8_t* const end = at + row_bytes;
+    do {
+      const uint32_t bytes = load_pixels(at);
+      store_pixels(at, __builtin_expect(bytes == 0, 1) ? words.same()
+                                                       : words.next(bytes));
+      at += 4;
+    } while (at != end);
+    at += skipped;
+  }
+}
+
+}  // namespace
+
 __attribute__((noinline)) uint32_t clamp_and_scale(uint32_t sums) noexcept {
   uint32_t coverage = 0;
   for (uint32_t shift = 0; shift != 32; shift += 8) {
@@ -23,102 +77,17 @@ __attribute__((noinline)) uint32_t clamp_and_scale(uint32_t sums) noexcept {
   return coverage;
 }
 
-// Four differences to coverage, 240 units to 255. `sum`: that of all pixels to
-// the left, in both halves. Bytes 0 and 2 lie in one word, 1 and 3 in another,
-// so that none carries into the next.
-inline uint32_t cover_four(uint32_t bytes, uint32_t& sum) noexcept {
-  uint32_t even = bytes & kEvenBytes;               // d0, d2
-  uint32_t odd = even + (bytes >> 8 & kEvenBytes);  // d0 + d1, d2 + d3
-  even += sum;
-  even += odd << 16;
-  even &= kEvenBytes;
-  odd += sum + (odd << 16);
-  odd &= kEvenBytes;
-  sum = odd >> 16;
-  sum |= sum << 16;
-  const uint32_t sums = even | odd << 8;
-  if (__builtin_expect(
-          (((even + 0x000f000f) | (odd + 0x000f000f)) & 0x01000100) != 0, 0)) {
-    return clamp_and_scale(sums);
-  }
-  return sums + (sums >> 4 & 0x0f0f0f0f);
-}
-
-// Four bytes of nearness and bits to coverage of any filter.
-uint32_t filtered_word(uint32_t bytes,
-                       uint32_t& inside,
-                       const Filter& filter,
-                       uint32_t step_q8) noexcept {
-  uint32_t coverage = 0;
-  for (uint32_t shift = 0; shift != 32; shift += 8) {
-    const uint32_t byte = bytes >> shift & 255;
-    inside ^= 0u - (byte & 1);
-    // The middle of the step. [px, Q10]
-    const auto distance_q10 =
-        static_cast<int32_t>((255 - (byte & 254)) * step_q8 >> 8);
-    coverage |=
-        uint32_t{filter.coverage(inside != 0 ? distance_q10 : -distance_q10)}
-        << shift;
-  }
-  return coverage;
-}
-
-constexpr uint32_t kSeveral = 1;
-
-// What the pixels of a row up to the end of a word are: 0 or ~0 if all are that
-// and fill the word, else kSeveral.
-inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
-  const uint32_t word = count == 4 ? load_pixels(at) : kSeveral;
-  return word + 1 > 1 ? kSeveral : word;
-}
-
-// A band's words of four pixels, row by row. `cover` also has a `Left`, what it
-// knows of the pixels to the left, all 0 at the beginning of a row.
-template <typename Left, typename Cover>
-inline void cover_words(const Band& band, const Cover& cover) noexcept {
-  uint8_t* at = band.bytes;
-  const int32_t row_bytes = band.row_bytes();
-  const int32_t skipped = band.stride - row_bytes;
-  for (int32_t row = band.rows; row != 0; --row) {
-    Left left = {};
-    uint8_t* const end = at + row_bytes;
-    do {
-      store_pixels(at, cover(load_pixels(at), left));
-      at += 4;
-    } while (at != end);
-    at += skipped;
-  }
-}
-
-}  // namespace
-
 void cover_areas(const Band& band, const Filter&) noexcept {
-  struct Left {
-    uint32_t sum;
-    uint32_t last;  // the coverage of the pixel before, four times
-  };
-  cover_words<Left>(band, [](uint32_t bytes, Left& left) noexcept {
-    if (__builtin_expect(bytes == 0, 1)) {
-      return left.last;
-    }
-    const uint32_t coverage = cover_four(bytes, left.sum);
-    left.last = (coverage >> 24) * 0x01010101u;
-    return coverage;
-  });
+  cover_words(band, SumWords{});
 }
 
 void cover_filtered(const Band& band, const Filter& filter) noexcept {
-  // Half of what a 127th of the reach is. [px, Q18]
   const uint32_t step_q8 = static_cast<uint32_t>(band.reach_q8) * 1024 / 254;
-  cover_words<uint32_t>(band, [&](uint32_t bytes, uint32_t& inside) noexcept {
-    return bytes == 0 ? inside : filtered_word(bytes, inside, filter, step_q8);
-  });
+  cover_words(band, FilteredWords{filter, step_q8});
 }
 
 void cover_linear(const Band& band, const Filter&) noexcept {
-  cover_words<uint32_t>(band, [](uint32_t bytes, uint32_t& inside) noexcept {
-    return __builtin_expect(bytes == 0, 1) ? inside : ramp_word(bytes, inside);
-  });
+  cover_words(band, RampWords{});
 }
 
 // To a sink that takes no blocks: runs of words that are covered, not covered,
@@ -181,8 +150,9 @@ void emit_band(GlyphJob& job) noexcept {
     return;
   }
   const Sink& sink = *job.sink;
-  if (sink.ramp != nullptr && kind.is_ramp &&
-      sink.ramp(sink.context, {pixels, band.bytes, band.stride})) {
+  if (sink.painted != nullptr && kind.painted != Painted::other &&
+      sink.painted(sink.context, {pixels, band.bytes, band.stride},
+                   kind.painted)) {
     return;
   }
   kind.cover(band, style.filter());

@@ -1,7 +1,7 @@
 // The canvas of 8-bit coverage.
 #include "inkcell/port/a8.hpp"
 
-#include "inkcell/ramp.hpp"
+#include "painted.hpp"
 #include "run.hpp"
 #include "word.hpp"
 
@@ -67,15 +67,6 @@ void cover(const detail::A8Pixels& pixels,
 
 constexpr auto kCoverage = detail::coverage_of<detail::A8Pixels, cover>;
 
-// Masks of a word's bytes from `first` (0 to 3) on, and up to `last`.
-inline uint32_t bytes_from(uint32_t first) noexcept {
-  return detail::kLittleEndian ? ~0u << 8 * first : ~0u >> 8 * first;
-}
-inline uint32_t bytes_to(uint32_t last) noexcept {
-  return detail::kLittleEndian ? ~0u >> (24 - 8 * last)
-                               : ~0u << (24 - 8 * last);
-}
-
 // Four pixels onto any four.
 __attribute__((noinline)) void put_four(uint8_t* pixel,
                                         uint32_t word) noexcept {
@@ -83,6 +74,15 @@ __attribute__((noinline)) void put_four(uint8_t* pixel,
   __builtin_memcpy(coverages, &word, 4);
   for (const uint8_t coverage : coverages) {
     put(*pixel++, coverage);
+  }
+}
+
+// Coverage over what is there, for most pixels nothing.
+inline void put_word(uint8_t* pixel, uint32_t word) noexcept {
+  if (__builtin_expect(detail::load_word(pixel) == 0, 1)) {
+    detail::store_word(pixel, word);
+  } else {
+    put_four(pixel, word);
   }
 }
 
@@ -99,11 +99,7 @@ inline void put_words(uint8_t* pixel,
       word &= last_mask;
     }
     if (word != 0) {
-      if (__builtin_expect(detail::load_word(pixel) == 0, 1)) {
-        detail::store_word(pixel, word);
-      } else {
-        put_four(pixel, word);
-      }
+      put_word(pixel, word);
     }
     if (pixel == last) {
       return;
@@ -131,9 +127,10 @@ void block(void* context, const CoverageBlock& given) noexcept {
       detail::row_at(strip, pixels.y0 - strip.y0) + (first - strip.x0);
   if (first >= strip.x0 && last + 4 <= strip.x0 + strip.width &&
       !is_within_word(to) && (strip.stride & 3) == 0) {
-    const uint32_t first_mask = bytes_from(static_cast<uint32_t>(before));
+    const uint32_t first_mask =
+        detail::bytes_from(static_cast<uint32_t>(before));
     const uint32_t last_mask =
-        bytes_to(static_cast<uint32_t>(pixels.x1 - 1 - last));
+        detail::bytes_to(static_cast<uint32_t>(pixels.x1 - 1 - last));
     from -= before;
     for (int32_t row = 0; row != rows; ++row) {
       put_words(to, to + (last - first), from, first_mask, last_mask);
@@ -148,101 +145,19 @@ void block(void* context, const CoverageBlock& given) noexcept {
   }
 }
 
-// Coverage over what is there, for most pixels nothing.
-inline void put_word(uint8_t* pixel, uint32_t word) noexcept {
-  if (__builtin_expect(detail::load_word(pixel) == 0, 1)) {
-    detail::store_word(pixel, word);
-  } else {
-    put_four(pixel, word);
-  }
-}
-
-// A painted word of which only what the mask lets through is drawn.
-inline void ramp_to(uint8_t* pixel,
-                    uint32_t bytes,
-                    uint32_t& inside,
-                    uint32_t mask) noexcept {
-  if ((bytes | inside) != 0) {
-    const uint32_t word = ramp_word(bytes, inside) & mask;
-    if (word != 0) {
-      put_word(pixel, word);
-    }
-  }
-}
-
-// Whole words of a row, as put_words(). Two at a time: most pairs lie outside
-// or inside.
-inline void ramp_words(uint8_t* pixel,
-                       uint8_t* const last,
-                       const uint8_t* from,
-                       uint32_t inside,
-                       uint32_t first_mask,
-                       uint32_t last_mask) noexcept {
-  if (pixel == last) {
-    ramp_to(pixel, detail::load_word(from), inside, first_mask & last_mask);
-    return;
-  }
-  ramp_to(pixel, detail::load_word(from), inside, first_mask);
-  pixel += 4;
-  from += 4;
-  uint8_t* const pairs_end = pixel + ((last - pixel) & ~7);
-  while (pixel != pairs_end) {
-    const uint32_t word = detail::load_word(from);
-    const uint32_t next = detail::load_word(from + 4);
-    if ((word | next) != 0) {
-      ramp_to(pixel, word, inside, ~0u);
-      ramp_to(pixel + 4, next, inside, ~0u);
-    } else if (inside != 0) {
-      put_word(pixel, inside);
-      put_word(pixel + 4, inside);
-    }
-    pixel += 8;
-    from += 8;
-  }
-  if (pixel != last) {
-    ramp_to(pixel, detail::load_word(from), inside, ~0u);
-    from += 4;
-  }
-  ramp_to(last, detail::load_word(from), inside, last_mask);
-}
-
-// It is speed for 400 bytes of code.
-#if defined(__OPTIMIZE_SIZE__)
-constexpr bool kHasRamp = false;
-#else
-constexpr bool kHasRamp = detail::kLittleEndian;
-#endif
-
-bool ramp(void* context, const CoverageBlock& block) noexcept {
+bool cover_painted(void* context,
+                   const CoverageBlock& block,
+                   Painted bytes) noexcept {
   const Strip& strip = static_cast<const detail::A8Pixels*>(context)->strip;
-  const Rect& pixels = block.pixels;
-  const int32_t first = pixels.x0 & ~3;
-  const int32_t last = (pixels.x1 - 1) & ~3;
-  uint8_t* to =
-      detail::row_at(strip, pixels.y0 - strip.y0) + (first - strip.x0);
-  if (first < strip.x0 || last + 4 > strip.x0 + strip.width ||
-      pixels.y0 < strip.y0 || pixels.y1 > strip.y0 + strip.height ||
-      is_within_word(to) || (strip.stride & 3) != 0) {
+  // Words begin where x is a multiple of 4.
+  const uintptr_t first = reinterpret_cast<uintptr_t>(strip.pixels.data) -
+                          static_cast<uintptr_t>(strip.x0);
+  if (((first | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
     return false;
   }
-  const auto before = static_cast<uint32_t>(pixels.x0 - first);
-  const uint32_t first_mask = bytes_from(before);
-  const uint32_t last_mask =
-      bytes_to(static_cast<uint32_t>(pixels.x1 - 1 - last));
-  const uint8_t* from = block.coverage;
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    uint32_t inside = 0;
-    const uint8_t* at = from;
-    if (before == 0) {
-      // The pixel before has a word of its own.
-      static_cast<void>(ramp_word(detail::load_word(at), inside));
-      at += 4;
-    }
-    ramp_words(to, to + (last - first), at, inside, first_mask, last_mask);
-    from += block.stride;
-    to += strip.stride;
-  }
-  return true;
+  return detail::put_painted<1>(
+      strip, block, bytes,
+      [](uint8_t* pixel, uint32_t word) noexcept { put_word(pixel, word); });
 }
 
 void fill_run(const detail::A8Pixels& pixels, const Run& run) noexcept {
@@ -254,6 +169,7 @@ void fill_run(const detail::A8Pixels& pixels, const Run& run) noexcept {
 
 const detail::SinkKind detail::A8Pixels::kKind = {
     kCoverage, detail::solid_of<detail::A8Pixels, fill_run>, block,
-    kHasRamp ? ramp : nullptr, layout_of(PixelFormat::a8)};
+    detail::kTakesPainted ? cover_painted : nullptr,
+    layout_of(PixelFormat::a8)};
 
 }  // namespace inkcell::port

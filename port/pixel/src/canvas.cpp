@@ -65,7 +65,7 @@ Status open_sink(Strip& strip,
   out.coverage = kind.coverage;
   out.solid = kind.solid;
   out.block = kind.block;
-  out.ramp = kind.ramp;
+  out.painted = kind.painted;
   out.levels = kind.levels;
   return status;
 }

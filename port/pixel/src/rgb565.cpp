@@ -1,6 +1,7 @@
 // The sink for RGB565.
 #include "inkcell/port/rgb565.hpp"
 
+#include "painted.hpp"
 #include "run.hpp"
 #include "word.hpp"
 
@@ -101,12 +102,20 @@ inline bool are_halves(const detail::Rgb565Pixels& pixels,
          (reinterpret_cast<uintptr_t>(pixel) & 1) == 0;
 }
 
+// Four pixels of a spread colour.
+inline void store_four(uint8_t* pixel, uint32_t colour) noexcept {
+  const uint32_t solid = (colour | colour >> 16) & 0xffff;
+  detail::store_half(pixel, solid);
+  detail::store_half(pixel + 2, solid);
+  detail::store_half(pixel + 4, solid);
+  detail::store_half(pixel + 6, solid);
+}
+
 // A row of a block; words of coverage begin where x is a multiple of 4.
 void blend_words(uint8_t* pixel,
                  const uint8_t* coverage,
                  int32_t count,
                  uint32_t colour) noexcept {
-  const uint32_t solid = (colour | colour >> 16) & 0xffff;
   const uint8_t* const end = coverage + count;
   while (coverage != end) {
     if ((reinterpret_cast<uintptr_t>(coverage) & 3) != 0 ||
@@ -117,10 +126,7 @@ void blend_words(uint8_t* pixel,
     }
     const uint32_t word = detail::load_word(coverage);
     if (word == ~0u) {
-      detail::store_half(pixel, solid);
-      detail::store_half(pixel + 2, solid);
-      detail::store_half(pixel + 4, solid);
-      detail::store_half(pixel + 6, solid);
+      store_four(pixel, colour);
     } else if (word != 0) {
       for (int32_t i = 0; i != 4; ++i) {
         blend_half(pixel + 2 * i, coverage[i], colour);
@@ -149,6 +155,35 @@ void blend_block(void* context, const CoverageBlock& given) noexcept {
     }
     block.coverage += block.stride;
   }
+}
+
+// Four half-words.
+__attribute__((noinline)) void put_four(uint8_t* pixel,
+                                        uint32_t coverage,
+                                        uint32_t colour) noexcept {
+  if (coverage == ~0u) {
+    store_four(pixel, colour);
+    return;
+  }
+  for (; coverage != 0; coverage >>= 8) {
+    blend_half(pixel, coverage & 255, colour);
+    pixel += 2;
+  }
+}
+
+bool blend_painted(void* context,
+                   const CoverageBlock& block,
+                   Painted bytes) noexcept {
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(context);
+  const Strip& strip = pixels.strip;
+  if (!are_halves(pixels, strip.pixels.data) || (strip.stride & 1) != 0) {
+    return false;
+  }
+  const uint32_t colour = spread(pixels.colour);
+  return detail::put_painted<2>(
+      strip, block, bytes, [colour](uint8_t* pixel, uint32_t word) noexcept {
+        put_four(pixel, word, colour);
+      });
 }
 
 void cover(const detail::Rgb565Pixels& pixels,
@@ -203,7 +238,8 @@ void fill_run(const detail::Rgb565Pixels& pixels, const Run& run) noexcept {
 
 const detail::SinkKind detail::Rgb565Pixels::kKind = {
     detail::coverage_of<detail::Rgb565Pixels, cover>,
-    detail::solid_of<detail::Rgb565Pixels, fill_run>, blend_block, nullptr,
+    detail::solid_of<detail::Rgb565Pixels, fill_run>, blend_block,
+    detail::kTakesPainted ? blend_painted : nullptr,
     layout_of(PixelFormat::rgb565)};
 
 }  // namespace inkcell::port

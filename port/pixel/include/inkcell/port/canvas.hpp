@@ -31,7 +31,7 @@ struct SinkKind {
   decltype(Sink::coverage) coverage;
   decltype(Sink::solid) solid;
   decltype(Sink::block) block;
-  decltype(Sink::ramp) ramp;
+  decltype(Sink::painted) painted;
   Layout layout;
   decltype(Sink::levels) levels = nullptr;
 };
