@@ -39,6 +39,7 @@ LIBRARIES = {
     "motion": "base place outlines rows",
     "simulation": "base inkcell/motion",
     "stored": "base font place outlines rows",
+    "strike": "base place rows",
 }
 
 # Folders of public headers, likewise.

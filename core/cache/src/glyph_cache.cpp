@@ -4,6 +4,7 @@
 #include "glyph_store.hpp"
 #include "inkcell/assert.hpp"
 #include "row_codes.hpp"
+#include "rows/source.hpp"
 #include "text/glyph_run.hpp"
 
 namespace inkcell {
@@ -208,7 +209,10 @@ void GlyphCache::draw_kept(GlyphRun& run,
                            uint16_t glyph,
                            const Placed& placed) noexcept {
   const auto& self = static_cast<const GlyphCache&>(run.painter.drawer());
-  if (self.store_ == nullptr) {
+  const detail::Source* const source = run.font->source();
+  // Pictures that a font has anyway are not kept once more.
+  if (self.store_ == nullptr || source == nullptr ||
+      source->kind == detail::SourceKind::strikes) {
     detail::draw_plain(run, glyph, placed);
     return;
   }

@@ -51,10 +51,12 @@ void fill_field(GlyphJob& base) noexcept {
                 job.band_y_q8());
 }
 
-constexpr Source kFieldSource = {prepare_glyph, load_none, fill_field,
-                                 sizeof(FieldJob), true};
-constexpr Source kSingleFieldSource = {prepare_single, load_none, fill_field,
-                                       sizeof(FieldJob), true};
+constexpr Source kFieldSource = {prepare_glyph,      load_none,
+                                 fill_field,         sizeof(FieldJob),
+                                 SourceKind::fields, draw_banded};
+constexpr Source kSingleFieldSource = {prepare_single,     load_none,
+                                       fill_field,         sizeof(FieldJob),
+                                       SourceKind::fields, nullptr};
 
 }  // namespace
 // Brings the object of what draws fields on canvases of few levels. Nobody
@@ -74,8 +76,9 @@ void draw_field(const GlyphField& field,
                 Workspace workspace) noexcept {
   detail::Placed placed;
   if (placed.set(origin)) {
-    detail::draw_bands({&detail::kSingleFieldSource, &field, 0}, style, placed,
-                       sink, workspace);
+    detail::draw_bands(
+        {{&detail::kSingleFieldSource, &field, 0}, style, placed, &sink},
+        workspace);
   }
 }
 
@@ -84,8 +87,10 @@ Rect field_box(const GlyphField& field,
                FinePoint origin) noexcept {
   detail::Placed placed;
   return placed.set(origin)
-             ? detail::band_box({&detail::kSingleFieldSource, &field, 0}, style,
-                                placed)
+             ? detail::band_box({{&detail::kSingleFieldSource, &field, 0},
+                                 style,
+                                 placed,
+                                 nullptr})
              : Rect();
 }
 

@@ -24,12 +24,17 @@ extern const Fitter kFitFourLevels;
 namespace detail {
 // Draws a pixel for what would show none.
 struct FewLevels : Effect {
-  constexpr explicit FewLevels(uint8_t level_count) noexcept
-      : Effect(kFewLevelsMixer), levels(level_count) {}
+  constexpr FewLevels(uint8_t level_count, uint8_t bits) noexcept
+      : Effect(kFewLevelsMixer), levels(level_count), strike_bits(bits) {}
   uint8_t levels;  // 2 or 4
+  // Strikes of so many bits look as what the canvas makes of coverage.
+  uint8_t strike_bits;
 };
-inline constexpr FewLevels kTwoLevels{2};
-inline constexpr FewLevels kFourLevels{4};
+inline constexpr FewLevels kTwoLevels{2, 1};
+inline constexpr FewLevels kFourLevels{4, 2};
+// The same on canvases of another threshold, and of dither.
+inline constexpr FewLevels kShiftedTwoLevels{2, 0};
+inline constexpr FewLevels kShiftedFourLevels{4, 0};
 
 // For Sink::levels. Canvases name a rule by a weak reference, and codings whose
 // glyphs it changes bring its object: see band.cpp.
@@ -49,6 +54,8 @@ struct LevelRule {
 };
 extern const LevelRule kTwoLevelRule;
 extern const LevelRule kFourLevelRule;
+extern const LevelRule kShiftedTwoLevelRule;
+extern const LevelRule kShiftedFourLevelRule;
 }  // namespace detail
 
 /// What text of a size is drawn with on canvases of 1 bit, and of 2.

@@ -59,6 +59,11 @@ extern const Fitter kFitHeights;
 extern const Fitter kFitTwoLevels;
 extern const Fitter kFitFourLevels;
 
+/// FitOptions{true} and {} likewise, with advances of whole pixels: for strikes
+/// of many levels (strike/strike.hpp).
+extern const Fitter kFitGrey;
+extern const Fitter kFitGreyHeights;
+
 /// A font's hints at one size. Made once, constant afterwards, in the caller's
 /// memory. The font's bytes must outlive it. For styles of the same size and
 /// for glyphs of this font: others are drawn with the wrong hints.

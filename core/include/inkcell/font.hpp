@@ -187,6 +187,9 @@ class Font {
   /// The bytes of the font, without what followed it in `rom`.
   Span<const uint8_t> rom() const noexcept { return rom_; }
 
+  /// Where section GLYF lies, for what draws glyphs.
+  const Span<const uint8_t>& glyph_table() const noexcept { return tables_[2]; }
+
   /// The bytes of the section `tag` (format::section); empty if absent.
   Span<const uint8_t> section(uint32_t tag) const noexcept;
 
@@ -205,7 +208,6 @@ class Font {
   const Span<const uint8_t>& metrics_table() const noexcept {
     return tables_[1];
   }
-  const Span<const uint8_t>& glyph_table() const noexcept { return tables_[2]; }
   const Span<const uint8_t>& kerning_table() const noexcept {
     return tables_[3];
   }

@@ -184,8 +184,12 @@ void fill_morph(GlyphJob& base) noexcept {
   job.plan.band_kind->paint(job.band, job.cursor, job.points, job.points_end);
 }
 
-constexpr detail::Source kMorphSource = {prepare_morph, load_points, fill_morph,
-                                         sizeof(MorphJob), false};
+constexpr detail::Source kMorphSource = {prepare_morph,
+                                         load_points,
+                                         fill_morph,
+                                         sizeof(MorphJob),
+                                         detail::SourceKind::outlines,
+                                         nullptr};
 
 int32_t to_q10(Q16_16 progress) noexcept {
   return clamp(progress.raw, 0, 1 << 16) >> 6;
@@ -261,11 +265,14 @@ void OutlineMorph::draw_or_box(const Painter& painter,
       {is_reverse ? to_ : from_, is_reverse ? from_ : to_},
       is_reverse ? kOneQ10 - progress_q10 : progress_q10,
       points};
-  const GlyphRef ref = {&kMorphSource, &morphing, 0};
+  const detail::GlyphCall call = {{&kMorphSource, &morphing, 0},
+                                  style,
+                                  placed,
+                                  box == nullptr ? &painter.sink() : nullptr};
   if (box != nullptr) {
-    *box = detail::band_box(ref, style, placed);
+    *box = detail::band_box(call);
   } else {
-    detail::draw_bands(ref, style, placed, painter.sink(), painter.ram());
+    detail::draw_bands(call, painter.ram());
   }
 }
 

@@ -129,6 +129,10 @@ const Mixer kFewLevelsMixer = {nullptr, plan_neighbours, mix_few};
 const LevelRule kTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels, &kTwoLevels};
 const LevelRule kFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
                                   &kFourLevels};
+const LevelRule kShiftedTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels,
+                                        &kShiftedTwoLevels};
+const LevelRule kShiftedFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
+                                         &kShiftedFourLevels};
 
 }  // namespace detail
 }  // namespace inkcell

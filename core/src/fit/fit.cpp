@@ -214,6 +214,19 @@ class GridFit {
     fit_both(fit, font, glyph, metrics, origin, warp);
   }
 
+  static void grey_heights(const Font& font,
+                           const Style& style,
+                           uint16_t glyph,
+                           const GlyphMetrics& metrics,
+                           FinePoint& origin,
+                           GlyphWarp& warp) noexcept {
+    Fit fit;
+    set(font, style, 0, fit);
+    fit.to_grid(origin.x_q10);
+    fit.is_across_ = false;
+    fit_both(fit, font, glyph, metrics, origin, warp);
+  }
+
   static bool is_small(const Style& style) noexcept {
     return style.size().raw < Fit::kEnds.raw;
   }
@@ -339,5 +352,10 @@ const Fitter kFitTwoLevels = {GridFit::fit_levels<2>, GridFit::is_small,
 const Fitter kFitFourLevels = {GridFit::fit_levels<4>, GridFit::is_small,
                                GridFit::level_advance_px,
                                GridFit::level_gap<4>};
+const Fitter kFitGrey = {GridFit::fit_levels<0>, GridFit::is_small,
+                         GridFit::level_advance_px, GridFit::level_gap<0>};
+const Fitter kFitGreyHeights = {GridFit::grey_heights, GridFit::is_small,
+                                GridFit::level_advance_px,
+                                GridFit::level_gap<0>};
 
 }  // namespace inkcell

@@ -3,6 +3,7 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "place/style_parts.hpp"
 
@@ -14,14 +15,6 @@ namespace {
 constexpr size_t kMostBytes = 1 << 20;
 // A word before the rows of a band: see Band.
 constexpr int32_t kGuardBytes = 4;
-
-// What draw_bands() and band_box() are called with.
-struct GlyphCall {
-  const GlyphRef& ref;
-  const Style& style;
-  const Placed& placed;
-  const Sink* sink;  // null: for the box
-};
 
 // The sink of a glyph that is prepared for any.
 constexpr Sink kAnySink = {{INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}};
@@ -221,13 +214,10 @@ void draw_apart(GlyphJob& job) noexcept {
   }
 }
 
-__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
-                                             const Style& style,
-                                             const Placed& placed,
-                                             const Sink& sink) noexcept {
+__attribute__((noinline)) void draw_on_stack(const GlyphCall& call) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
-  if (prepare(job, {ref, style, placed, &sink}, nullptr, 0)) {
+  if (prepare(job, call, nullptr, 0)) {
     draw_apart(job);
   }
 }
@@ -273,17 +263,12 @@ __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
 //
 // Styles that are not fitted have no maps. In the first row they take a frame
 // without room for them.
-void draw_bands(const GlyphRef& ref,
-                const Style& style,
-                const Placed& placed,
-                const Sink& sink,
-                const Workspace& workspace) noexcept {
+void draw_bands(const GlyphCall& call, const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
-  if (ram.size <= kWideBandRam && !style.is_fitted()) {
-    draw_on_stack(ref, style, placed, sink);
+  if (ram.size <= kWideBandRam && !call.style.is_fitted()) {
+    draw_on_stack(call);
     return;
   }
-  const GlyphCall call = {ref, style, placed, &sink};
   if (ram.size < kLeastFittedRam) {
     draw_fitted_on_stack(call, ram);
   } else if (prepare_in(ram, call)) {
@@ -291,14 +276,19 @@ void draw_bands(const GlyphRef& ref,
   }
 }
 
-Rect band_box(const GlyphRef& ref,
-              const Style& style,
-              const Placed& placed) noexcept {
+void draw_banded(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept {
+  const Font& font = *run.font;
+  INKCELL_ASSERT(font.check(*run.style) == Status::ok);
+  draw_bands(
+      {{font.source(), &font, glyph}, *run.style, placed, &run.painter.sink()},
+      run.painter.ram());
+}
+
+Rect band_box(const GlyphCall& call) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
-  const GlyphCall call = {ref, style, placed, nullptr};
-  const bool shows = style.is_fitted() ? prepare_fitted(job, call)
-                                       : prepare(job, call, nullptr, 0);
+  const bool shows = call.style.is_fitted() ? prepare_fitted(job, call)
+                                            : prepare(job, call, nullptr, 0);
   return shows ? job.box : Rect{};
 }
 
@@ -318,7 +308,7 @@ Status PreparedGlyph::make(const Font& font,
   if (glyph >= font.glyph_count()) {
     return Status::no_glyph;
   }
-  if (font.source() == nullptr) {
+  if (font.source() == nullptr || font.source()->kind == SourceKind::strikes) {
     return Status::unsupported;
   }
   PreparedGlyph made;

@@ -29,7 +29,8 @@ __attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
   return end;
 }
 
-// False: there are none.
+}  // namespace
+
 bool load_points(GlyphJob& base) noexcept {
   constexpr int32_t kBytes = sizeof(ScreenPoint);
   auto& job = static_cast<OutlineJob&>(base);
@@ -93,7 +94,6 @@ bool prepare_outline(GlyphJob& base,
   return true;
 }
 
-// All points, or portions of those for which there is no room.
 void fill_outline(GlyphJob& base) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
   const auto paint = job.plan.band_kind->paint;
@@ -109,10 +109,7 @@ void fill_outline(GlyphJob& base) noexcept {
   } while (!job.outline.is_done());
 }
 
-constexpr Source kOutlineSource = {prepare_outline, load_points, fill_outline,
-                                   sizeof(OutlineJob), false};
-
-}  // namespace
+static constexpr Source kOutlineSource = outline_source(draw_banded);
 
 // Name the objects of all painters, for band.cpp, and of what fits
 // outlines on canvases of few levels. Nobody reads them, so that the linker

@@ -50,4 +50,19 @@ struct OutlineFitter {
   int32_t (*to_units)(const Font& font, Q26_6 size, int32_t px) noexcept;
 };
 
+// The functions of a source of outlines. load_points() is false where there are
+// none; fill_outline() paints all points, or portions of those for which there
+// is no room.
+bool prepare_outline(GlyphJob& job,
+                     const GlyphRef& ref,
+                     const Placed& placed) noexcept;
+bool load_points(GlyphJob& job) noexcept;
+void fill_outline(GlyphJob& job) noexcept;
+
+// Such a source.
+constexpr Source outline_source(decltype(Source::draw) draw) noexcept {
+  return {prepare_outline,    load_points,          fill_outline,
+          sizeof(OutlineJob), SourceKind::outlines, draw};
+}
+
 }  // namespace inkcell::detail

@@ -15,6 +15,7 @@
 
 namespace inkcell::detail {
 
+struct GlyphRun;
 struct Source;
 
 // A glyph to draw.
@@ -22,6 +23,14 @@ struct GlyphRef {
   const Source* source;
   const void* from;  // the font, or what else the source draws
   uint16_t glyph;
+};
+
+// The same where it stands.
+struct GlyphCall {
+  GlyphRef ref;
+  const Style& style;
+  const Placed& placed;
+  const Sink* sink;  // null: only the box is asked for
 };
 
 // A glyph that is drawn. Lies at the beginning of RAM that is lent as
@@ -58,8 +67,16 @@ struct __attribute__((may_alias)) GlyphJob : GlyphBand {
   }
 };
 
-// Draws the glyphs of one coding of fonts (Coding::source). draw_bands.cpp
-// calls, with a plan in place:
+// What a source draws.
+enum class SourceKind : uint8_t {
+  outlines,
+  fields,   // jobs are FieldJobs (field_source.hpp)
+  strikes,  // pictures, which come without bands: prepare() alone is there
+};
+
+// Draws the glyphs of one coding of fonts (Coding::source): draw() those of a
+// run, by draw_banded() all that come in bands. draw_bands.cpp calls, with a
+// plan in place:
 //   prepare  finds the box, and sets band.is_mirrored. For a fitted style it
 //            takes the maps from `ram`. False: nothing shows.
 //   load     once the box is clipped: takes what it keeps for fill() from `ram`
@@ -78,7 +95,8 @@ struct Source {
   bool (*load)(GlyphJob& job) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
   uint16_t job_bytes;  // size of the struct, kMostJob at most
-  bool is_field;       // jobs are FieldJobs (field_source.hpp)
+  SourceKind kind;
+  void (*draw)(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
 };
 
 // What a band of one column takes of RAM: a word before it, and of the widest
@@ -104,22 +122,20 @@ static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
 // Draws a placed glyph. The picture is the same for any workspace. One of
 // kLeastFittedRam bytes holds all; one of more than kWideBandRam points and
 // bands; what a smaller one does not hold lies on the stack.
-void draw_bands(const GlyphRef& ref,
-                const Style& style,
-                const Placed& placed,
-                const Sink& sink,
-                const Workspace& workspace) noexcept;
+void draw_bands(const GlyphCall& call, const Workspace& workspace) noexcept;
+
+// The same of a run, for Source::draw.
+void draw_banded(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
 
 // The pixels that draw_bands() may touch.
-Rect band_box(const GlyphRef& ref,
-              const Style& style,
-              const Placed& placed) noexcept;
+Rect band_box(const GlyphCall& call) noexcept;
 
 // Whether a style's effect, if it has one, draws glyphs of a source.
 inline bool can_draw(const Source& source, const Style& style) noexcept {
   const Effect* const effect = style.effect();
   const auto answer = effect == nullptr ? nullptr : effect->mixer().can_draw;
-  return answer == nullptr || answer(*effect, style, source.is_field);
+  return answer == nullptr ||
+         answer(*effect, style, source.kind == SourceKind::fields);
 }
 
 // Paints the band that the job describes.

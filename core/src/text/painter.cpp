@@ -4,17 +4,16 @@
 #include "base/math.hpp"
 #include "inkcell/assert.hpp"
 #include "rows/source.hpp"
+#include "rows/strike_scale.hpp"
 #include "text/glyph_run.hpp"
 
 namespace inkcell {
 namespace detail {
 
 void draw_plain(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept {
-  const Font& font = *run.font;
-  INKCELL_ASSERT(font.check(*run.style) == Status::ok);
-  if (font.source() != nullptr) {
-    draw_bands({font.source(), &font, glyph}, *run.style, placed,
-               run.painter.sink(), run.painter.ram());
+  const Source* const source = run.font->source();
+  if (source != nullptr) {
+    source->draw(run, glyph, placed);
   }
 }
 
@@ -27,8 +26,10 @@ Rect box_of(const GlyphRun& run,
   const Font& font = *run.font;
   return font.source() == nullptr
              ? Rect{}
-             : band_box({font.source(), &font, glyph}, *run.style,
-                        at_phase(placed, run.painter.drawer().phase_shift));
+             : band_box({{font.source(), &font, glyph},
+                         *run.style,
+                         at_phase(placed, run.painter.drawer().phase_shift),
+                         nullptr});
 }
 
 void BoxDrawer::add(GlyphRun& run,
@@ -49,9 +50,14 @@ using detail::Placed;
 using detail::RunDrawer;
 
 Status Font::check(const Style& style) const noexcept {
-  return source_ == nullptr || detail::can_draw(*source_, style)
-             ? Status::ok
-             : Status::unsupported;
+  if (source_ == nullptr) {
+    return Status::ok;
+  }
+  const bool draws =
+      source_->kind == detail::SourceKind::strikes
+          ? detail::strike_scale(*this, style) != 0 && style.effect() == nullptr
+          : detail::can_draw(*source_, style);
+  return draws ? Status::ok : Status::unsupported;
 }
 
 void Painter::text(const Font& font,

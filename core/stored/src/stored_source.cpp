@@ -22,8 +22,9 @@ bool prepare_stored(GlyphJob& job,
                           placed);
 }
 
-constexpr Source kStoredSource = {prepare_stored, nullptr, nullptr,
-                                  sizeof(OutlineJob), false};
+constexpr Source kStoredSource = {
+    prepare_stored,       nullptr,    nullptr, sizeof(OutlineJob),
+    SourceKind::outlines, draw_banded};
 
 }  // namespace
 

@@ -43,15 +43,12 @@ Status check_layout(const Strip& strip, Layout layout) noexcept {
              : Status::ok;
 }
 
-Status open_sink(Strip& strip,
-                 const SinkKind& kind,
-                 void* pixels,
-                 Sink& out) noexcept {
+Status cut_strip(Strip& strip, Layout layout) noexcept {
   Status status = Status::ok;
   for (;;) {
-    const Status now = check_layout(strip, kind.layout);
+    const Status now = check_layout(strip, layout);
     if (now == Status::ok) {
-      break;
+      return status;
     }
     status = now;
     if (now == Status::buffer_small) {
@@ -60,6 +57,13 @@ Status open_sink(Strip& strip,
       strip = {};
     }
   }
+}
+
+Status open_sink(Strip& strip,
+                 const SinkKind& kind,
+                 void* pixels,
+                 Sink& out) noexcept {
+  const Status status = cut_strip(strip, kind.layout);
   out.window = strip.rect();
   out.context = pixels;
   out.coverage = kind.coverage;

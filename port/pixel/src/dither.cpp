@@ -86,14 +86,17 @@ namespace detail {
 
 void set_dither(const MonoRowsPixels&, Sink& sink) noexcept {
   sink.coverage = coverage_of<MonoRowsPixels, mono<MonoRowsPixels>>;
+  sink.levels = shifted_two_level_rule();
 }
 
 void set_dither(const MonoPagesPixels&, Sink& sink) noexcept {
   sink.coverage = coverage_of<MonoPagesPixels, mono<MonoPagesPixels>>;
+  sink.levels = shifted_two_level_rule();
 }
 
 void set_dither(const Grey2Pixels&, Sink& sink) noexcept {
   sink.coverage = coverage_of<Grey2Pixels, grey<Grey2Pixels, 1>>;
+  sink.levels = shifted_four_level_rule();
 }
 
 void set_dither(const Grey4Pixels&, Sink& sink) noexcept {

@@ -31,7 +31,8 @@ FONT_OPTIONS = ["--chars=0x20-0x7E"]
 # Parts that a project compiles if it asks for them, and their folders.
 LIBRARIES = {"cache": "core/cache", "field": "core/field",
              "layout": "core/layout", "motion": "core/motion",
-             "simulation": "core/simulation", "stored": "core/stored", "c": "port/c"}
+             "simulation": "core/simulation", "stored": "core/stored",
+             "strike": "core/strike", "c": "port/c"}
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 

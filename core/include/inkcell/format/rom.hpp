@@ -66,6 +66,7 @@ enum class Coding : uint8_t {
   field = 0,    // cells of nine samples
   edges = 1,    // of earlier versions: refused
   outline = 2,  // outlines
+  strike = 3,   // pictures of one size: GLYF holds strikes
 };
 enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };
 
@@ -90,6 +91,7 @@ inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
 inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
 inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
 inline constexpr uint32_t kMorphs = tag('M', 'O', 'R', 'P');
+inline constexpr uint32_t kStrikes = tag('S', 'T', 'R', 'K');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
 
@@ -344,5 +346,38 @@ inline constexpr uint32_t kBytes = 10;
 inline constexpr int kCentreFraction = 6;
 inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 }  // namespace samples
+
+// STRK, and GLYF of fonts of strikes: after the header an entry for each
+// strike, then bit tables with the rows of their glyphs, left, top, width,
+// height and offset, and pictures.
+namespace strikes {
+inline constexpr uint32_t kZero = 0;   // u16, 0: offset_bits of GLYF
+inline constexpr uint32_t kCount = 2;  // u16
+inline constexpr uint32_t kBytes = 4;
+inline constexpr uint32_t kMaxSide = 255;  // of a picture [px]
+}  // namespace strikes
+
+// What the pictures of a strike were made with.
+enum class StrikeFit : uint8_t { none = 0, heights = 1, both = 2, source = 3 };
+
+// An entry of STRK. Its first word says what it serves: size, bits and fit.
+namespace strike {
+inline constexpr uint32_t kPx = 0;      // u16 [px/em]
+inline constexpr uint32_t kBits = 2;    // u8 of a pixel: 1, 2 or 4
+inline constexpr uint32_t kFit = 3;     // u8, StrikeFit
+inline constexpr uint32_t kFirst = 4;   // u16, glyph
+inline constexpr uint32_t kGlyphs = 6;  // u16
+inline constexpr uint32_t kCoding = 8;  // u8, 0
+inline constexpr uint32_t kColumns = 5;
+inline constexpr uint32_t kColumnBits = 9;  // u8 of each column
+inline constexpr uint32_t kLeftBase = 14;   // i8 [px]
+inline constexpr uint32_t kTopBase = 15;    // i8 [px]
+inline constexpr uint32_t kStep = 16;       // u16 [bytes, Q8.8]
+inline constexpr uint32_t kReserved = 18;   // u16, 0
+inline constexpr uint32_t kGuesses = 20;    // u32, of 2 and 4 bits
+inline constexpr uint32_t kBoxes = 24;  // u32 [bytes] from the section's start
+inline constexpr uint32_t kPictures = 28;  // u32, likewise, modulo 2^32
+inline constexpr uint32_t kBytes = 32;
+}  // namespace strike
 
 }  // namespace inkcell::format

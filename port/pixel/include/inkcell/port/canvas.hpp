@@ -40,11 +40,19 @@ struct SinkKind {
 Status check_layout(const Strip& strip, Layout layout) noexcept;
 
 // Cuts a strip to the rows that its bytes hold, to none if it is wrong in
-// another way, and makes its sink. Returns what was wrong.
+// another way. Returns what was wrong.
+Status cut_strip(Strip& strip, Layout layout) noexcept;
+
+// The same, and makes its sink.
 Status open_sink(Strip& strip,
                  const SinkKind& kind,
                  void* pixels,
                  Sink& out) noexcept;
+
+// For Sink::levels, of canvases of 1 and 2 bits that dither or have another
+// threshold.
+decltype(Sink::levels) shifted_two_level_rule() noexcept;
+decltype(Sink::levels) shifted_four_level_rule() noexcept;
 
 // Draws all pixels of a sink's window.
 void fill(const Sink& sink) noexcept;
@@ -75,10 +83,9 @@ class Canvas : public Sink {
   const Strip& strip() const noexcept { return pixels_.strip; }
   /// From here on it draws into another strip, in the same way.
   void set_strip(const Strip& strip) noexcept {
-    const auto own = coverage;  // perhaps that of set_dither()
     pixels_.strip = strip;
-    status_ = detail::open_sink(pixels_.strip, Pixels::kKind, &pixels_, *this);
-    coverage = own;
+    status_ = detail::cut_strip(pixels_.strip, Pixels::kKind.layout);
+    window = pixels_.strip.rect();
   }
 
   /// Fills the window with the foreground.

@@ -54,6 +54,9 @@ class MonoPagesCanvas : public Canvas<detail::MonoPagesPixels> {
   /// The least coverage that is drawn, kThreshold by default; 0 counts as 1.
   void set_threshold(uint8_t threshold) noexcept {
     pixels_.threshold = threshold == 0 ? 1 : threshold;
+    if (threshold != kThreshold) {
+      levels = detail::shifted_two_level_rule();
+    }
   }
 };
 
