@@ -10,7 +10,6 @@
 
 #include <stdint.h>
 
-#include "check.hpp"
 #include "font_builder.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
@@ -133,12 +132,14 @@ class StrikeWriter {
     size_ += added_ == count_ ? 3 : 0;
   }
 
-  Span<const uint8_t> bytes() const { return {bytes_, size_}; }
+  /// Empty if they do not fit.
+  Span<const uint8_t> bytes() const {
+    return {bytes_, size_ > kBytes ? 0 : size_};
+  }
 
  private:
   void put(uint32_t value, uint32_t width) {
     for (uint32_t i = 0; i != width; ++i, ++bit_) {
-      CHECK(bit_ / 8 < kBytes);
       if (bit_ / 8 < kBytes && (value >> i & 1) != 0) {
         bytes_[bit_ / 8] =
             static_cast<uint8_t>(bytes_[bit_ / 8] | 1 << bit_ % 8);
@@ -186,7 +187,7 @@ class StrikeWriter {
 };
 
 /// Adds a section to a font of `size` bytes, or gives a section that it has
-/// other bytes. Returns the size; 0 if there is no room.
+/// other bytes. Returns the size; 0 if there is no room, or no section.
 inline size_t add_section(Span<uint8_t> rom,
                           size_t size,
                           uint32_t tag,
@@ -205,7 +206,7 @@ inline size_t add_section(Span<uint8_t> rom,
     own += entry::kBytes;
   }
   size = (size + 3) & ~size_t{3};
-  if (size + entry::kBytes + section.size + 3 > rom.size) {
+  if (section.size == 0 || size + entry::kBytes + section.size + 3 > rom.size) {
     return 0;
   }
   if (own == end) {

@@ -2,6 +2,8 @@
 // alone.
 #include "inkcell/strike/strike.hpp"
 
+#include "inkcell/strike/outline_strike.hpp"
+
 #include "check.hpp"
 #include "inkcell/cache/glyph_cache.hpp"
 #include "inkcell/few_levels.hpp"

@@ -6,6 +6,7 @@
 //   filter         --> BandKind          - weak -> painter
 //   kOutlineCoding --> outline_source.cpp ----------> the painter's object
 //
+// What makes coverage of areas, which all styles name, is linked likewise.
 // A weak reference takes no object from an archive, but keeps a function of one
 // that is there. The linker drops the functions that no filter keeps.
 #include "rows/band.hpp"
@@ -16,6 +17,7 @@ __attribute__((weak)) PaintPoints paint_areas;
 __attribute__((weak)) PaintPoints paint_crossings;
 __attribute__((weak)) PaintPoints paint_distances;
 __attribute__((weak)) PaintPoints paint_wide_distances;
+__attribute__((weak)) decltype(cover_areas) cover_areas;
 
 const BandKind kPixelRampBand = {paint_distances, cover_linear,
                                  BandBytes::distance, Painted::ramp, 128};

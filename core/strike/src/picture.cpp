@@ -14,43 +14,52 @@ namespace at = format::strike;
 
 constexpr int32_t kMaxSide = format::strikes::kMaxSide;
 
-// Bits from the lowest of a byte on; zeros follow the last byte.
+int32_t nearest_px(int32_t at_q10) noexcept {
+  return (at_q10 + 512) >> 10;
+}
+
+uint32_t low_bits(uint32_t number, uint32_t width) noexcept {
+  return number & ~(~uint32_t{0} << (width & 31));
+}
+
+bool is_side(int32_t px) noexcept {
+  return static_cast<uint32_t>(px) - 1 < kMaxSide;
+}
+
+// Bits from the lowest of a byte on; zeros follow the last byte. Inline: what
+// it has at hand lies in registers then.
 class PictureBits {
  public:
   explicit PictureBits(const Picture& picture) noexcept
       : at_(picture.begin), end_(picture.end) {}
 
-  // 1 to 24 bits.
-  uint32_t take(int32_t width) noexcept {
-    need(width);
-    const uint32_t bits = window_ & ~(~uint32_t{0} << width);
-    drop(width);
-    return bits;
-  }
+  static constexpr int32_t kMost = 25;
 
-  // Has 24 bits or more at hand, if it has less than `width`.
-  void need(int32_t width) noexcept {
+  // Has kMost bits or more at hand, if it has less than `width`.
+  __attribute__((always_inline)) void need(int32_t width) noexcept {
     if (count_ < width) {
-      fill();
+      do {
+        if (at_ != end_) {
+          window_ |= uint32_t{*at_++} << count_;
+        }
+        count_ += 8;
+      } while (count_ < kMost);
     }
   }
+  // Those from the lowest on; any above them.
   uint32_t window() const noexcept { return window_; }
   void drop(int32_t width) noexcept {
     window_ >>= width;
     count_ -= width;
   }
-
- private:
-  // Not inline for its size.
-  __attribute__((noinline)) void fill() noexcept {
-    do {
-      if (at_ != end_) {
-        window_ |= uint32_t{*at_++} << count_;
-      }
-      count_ += 8;
-    } while (count_ <= 24);
+  // Of those at hand, less than kMost.
+  uint32_t take(int32_t width) noexcept {
+    const uint32_t bits = window_ & ~(~uint32_t{0} << width);
+    drop(width);
+    return bits;
   }
 
+ private:
   const uint8_t* at_;
   const uint8_t* end_;
   uint32_t window_ = 0;
@@ -88,36 +97,62 @@ void draw_squares(Squares all, uint32_t coverage, const Sink& sink) noexcept {
   }
 }
 
-// The runs of ink of up to 24 pixels.
-void draw_runs(uint32_t bits,
-               int32_t scale,
-               Squares row,
-               const Sink& sink) noexcept {
+// A row of bits, magnified.
+struct BitRow {
+  const Sink& sink;
+  Rect shown;  // the picture's pixels in the sink's window
+  int32_t scale;
+  int32_t y;  // those of the row in `shown`
+  int32_t y_end;
+};
+
+// The runs of ink of up to 24 pixels, the first of them at `x`. Not inline:
+// more lies in registers.
+__attribute__((noinline)) void draw_runs(uint32_t bits,
+                                         int32_t x,
+                                         const BitRow& row) noexcept {
+  const int32_t scale = row.scale;
   while (bits != 0) {
     for (; (bits & 1) == 0; bits >>= 1) {
-      row.x += scale;
+      x += scale;
     }
-    row.x_end = row.x;
+    const int32_t begin = max(x, row.shown.x0);
     for (; (bits & 1) != 0; bits >>= 1) {
-      row.x_end += scale;
+      x += scale;
     }
-    draw_squares(row, 255, sink);
-    row.x = row.x_end;
+    const int32_t count = min(x, row.shown.x1) - begin;
+    if (count <= 0) {
+      continue;
+    }
+    for (int32_t y = row.y; y < row.y_end; ++y) {
+      row.sink.solid(row.sink.context, begin, y, count);
+    }
   }
 }
 
-// A row of 2 or 4 bits as coverage. In place, if `above` is `to`.
-void read_row(PictureBits& given,
-              const Picture& picture,
-              const uint8_t* above,
-              uint8_t* to) noexcept {
+// Reads a row of 2 or 4 bits as coverage. In place, if `above` is `to`. Not
+// inline: more lies in registers.
+__attribute__((noinline)) void read_row(PictureBits& given,
+                                        const Picture& picture,
+                                        bool is_first,
+                                        const uint8_t* above,
+                                        uint8_t* to) noexcept {
   PictureBits bits = given;
+  uint8_t* const end = to + picture.width;
+  bits.need(1);
+  if (!is_first && bits.take(1) != 0) {
+    while (to != end) {
+      *to++ = *above++;
+    }
+    given = bits;
+    return;
+  }
   const auto raw_bits = static_cast<int32_t>(picture.bits) + 1;
   const uint32_t mask = (1u << picture.bits) - 1;
   const uint32_t step = picture.bits == 4 ? 17 : 85;
   const uint32_t guesses = picture.guesses;
   uint32_t left = 0;
-  for (uint8_t* const end = to + picture.width; to != end; ++to) {
+  do {
     const uint32_t up = *above++;
     bits.need(raw_bits);
     const uint32_t window = bits.window();
@@ -128,13 +163,13 @@ void read_row(PictureBits& given,
       const uint32_t guess = guesses >> (left >> 6 << 3 | up >> 6 << 1);
       bits.drop(1);
       if ((guess & 2) == 0) {
-        left = (guess & 1) != 0 ? 255 : 0;
+        left = (guess & 1) * 255;
       } else if ((guess & 1) == 0) {
         left = up;
       }
     }
-    *to = static_cast<uint8_t>(left);
-  }
+    *to++ = static_cast<uint8_t>(left);
+  } while (to != end);
   given = bits;
 }
 
@@ -206,8 +241,7 @@ const uint8_t* strike_at(const Span<const uint8_t>& strikes,
 }
 
 bool find_picture(const Span<const uint8_t>& strikes,
-                  const StrikeKey& key,
-                  uint32_t glyph,
+                  const PictureCall& call,
                   Picture& out) noexcept {
   const uint8_t* entry;
   uint32_t word;
@@ -218,116 +252,132 @@ bool find_picture(const Span<const uint8_t>& strikes,
       return false;
     }
     word = load_u32(entry);
-    index = glyph - load_u16(entry + at::kFirst);
-    if ((word & key.mask) == key.word &&
+    index = call.glyph - load_u16(entry + at::kFirst);
+    if ((word & call.key.mask) == call.key.word &&
         index < load_u16(entry + at::kGlyphs)) {
       break;
     }
   }
   const uint8_t* const widths = entry + at::kColumnBits;
-  uint32_t row_bits = 0;
-  for (uint32_t i = 0; i != at::kColumns; ++i) {
-    row_bits += widths[i];
-  }
+  // A corner and a size have 18 and 16 bits at most, and come at once.
+  const uint32_t corner_bits = widths[0] + uint32_t{widths[1]};
+  const uint32_t size_bits = widths[2] + uint32_t{widths[3]};
+  const uint32_t offset_bits = widths[4];
+  const uint32_t row_bits = corner_bits + size_bits + offset_bits;
   uint32_t bit = load_u32(entry + at::kBoxes) * 8 + row_bits * index;
-  uint32_t numbers[at::kColumns];
-  for (uint32_t i = 0; i != at::kColumns; ++i) {
-    numbers[i] = read_bits(strikes, bit, widths[i]);
-    bit += widths[i];
-  }
-  const uint32_t offset_bits = widths[at::kColumns - 1];
-  const uint32_t next =
-      read_bits(strikes, bit + row_bits - offset_bits, offset_bits);
+  const uint32_t corner = read_bits(strikes, bit, corner_bits);
+  bit += corner_bits;
+  const uint32_t size = read_bits(strikes, bit, size_bits);
+  bit += size_bits;
+  const uint32_t offset = read_bits(strikes, bit, offset_bits);
+  const uint32_t next = read_bits(strikes, bit + row_bits, offset_bits);
   const uint32_t base = load_u32(entry + at::kPictures);
   const uint32_t step = load_u16(entry + at::kStep);
-  const uint32_t begin = base + (index * step >> 8) + numbers[4];
+  const uint32_t begin = base + (index * step >> 8) + offset;
   const uint32_t end = base + ((index + 1) * step >> 8) + next;
   const uint32_t bits = word >> 16 & 255;
+  const auto width = static_cast<int32_t>(low_bits(size, widths[2]));
+  const auto height = static_cast<int32_t>(size >> (widths[2] & 31));
   constexpr uint32_t kBitsAllowed = 1 << 1 | 1 << 2 | 1 << 4;
-  constexpr uint32_t kNumbers = 511;
   if (entry[at::kCoding] != 0 || bits > 4 || (kBitsAllowed >> bits & 1) == 0 ||
-      numbers[2] - 1 >= kMaxSide || numbers[3] - 1 >= kMaxSide || begin > end ||
+      !is_side(width) || !is_side(height) || begin > end ||
       end > strikes.size) {
     return false;
   }
-  out = {static_cast<int8_t>(entry[at::kLeftBase]) +
-             static_cast<int32_t>(numbers[0] & kNumbers),
-         static_cast<int8_t>(entry[at::kTopBase]) +
-             static_cast<int32_t>(numbers[1] & kNumbers),
-         static_cast<int32_t>(numbers[2]),
-         static_cast<int32_t>(numbers[3]),
-         strikes.data + begin,
-         strikes.data + end,
+  const auto left = static_cast<int8_t>(entry[at::kLeftBase]) +
+                    static_cast<int32_t>(low_bits(corner, widths[0]));
+  const auto top = static_cast<int8_t>(entry[at::kTopBase]) +
+                   static_cast<int32_t>(corner >> (widths[0] & 31));
+  const int32_t scale = call.scale;
+  const int32_t x = nearest_px(call.placed.x_q10) + left * scale;
+  const int32_t y = nearest_px(call.placed.y_q10) + top * scale;
+  out = {{x, y, x + width * scale, y + height * scale},
+         scale,
+         width,
+         bits,
          load_u32(entry + at::kGuesses),
-         bits};
+         strikes.data + begin,
+         strikes.data + end};
   return true;
 }
 
-Rect box_of(const Picture& picture,
-            int32_t x,
-            int32_t y,
-            int32_t scale) noexcept {
-  x += picture.left * scale;
-  y += picture.top * scale;
-  return {x, y, x + picture.width * scale, y + picture.height * scale};
-}
-
-void draw_bits(const Picture& picture,
-               const Rect& box,
-               int32_t scale,
-               const Sink& sink) noexcept {
-  constexpr int32_t kChunk = 24;
-  uint32_t row[(kMaxSide + kChunk - 1) / kChunk];
+// Ink is solid: no coverage is made of it.
+void draw_bits(const Picture& picture, const Sink& sink) noexcept {
+  constexpr int32_t kChunk = PictureBits::kMost - 1;
+  const int32_t scale = picture.scale;
+  BitRow row = {sink, intersect(picture.box, sink.window), scale, 0, 0};
+  uint32_t chunks[(kMaxSide + kChunk - 1) / kChunk];
   PictureBits bits(picture);
-  const int32_t y_end = min(box.y1, sink.window.y1);
-  for (int32_t y = box.y0; y < y_end; y += scale) {
-    const bool is_new = y == box.y0 || bits.take(1) == 0;
-    uint32_t* chunk = row;
-    int32_t x = box.x0;
+  for (int32_t y = picture.box.y0; y < row.shown.y1; y += scale) {
+    row.y = max(y, row.shown.y0);
+    row.y_end = min(y + scale, row.shown.y1);
+    bits.need(1);
+    const bool is_new = y == picture.box.y0 || bits.take(1) == 0;
+    uint32_t* chunk = chunks;
+    int32_t x = picture.box.x0;
     for (int32_t left = picture.width; left > 0; left -= kChunk) {
       if (is_new) {
-        *chunk = bits.take(min(left, kChunk));
+        const int32_t count = min(left, kChunk);
+        bits.need(count);
+        *chunk = bits.take(count);
       }
-      draw_runs(*chunk++, scale, {x, x, y, y + scale}, sink);
+      draw_runs(*chunk++, x, row);
       x += kChunk * scale;
     }
   }
 }
 
-void draw_picture(const Picture& picture,
-                  const Rect& box,
-                  int32_t scale,
-                  const Sink& sink) noexcept {
-  if (picture.bits == 1) {
-    draw_bits(picture, box, scale, sink);
-    return;
-  }
+namespace {
+
+// Not inline: bits take less of the stack.
+__attribute__((noinline)) void draw_greys(const Picture& picture,
+                                          const Sink& sink) noexcept {
+  const Rect& box = picture.box;
+  const int32_t scale = picture.scale;
   // Words begin where x is a multiple of 4.
   const int32_t before = box.x0 & 3;
   const int32_t stride = (before + picture.width + 3) & ~3;
   alignas(4) uint8_t bytes[kRowBytes];
-  clear_pixels(bytes, kRowBytes);
+  // Above the first row.
+  clear_pixels(bytes, stride);
   PictureBits bits(picture);
   const uint8_t* const last = bytes + kRowBytes - stride;
-  const uint8_t* above = bytes;
-  uint8_t* to = bytes;
+  uint8_t* const first = bytes + before;
+  const uint8_t* above = first;
+  uint8_t* to = first;
   const int32_t y_end = min(box.y1, sink.window.y1);
   int32_t from = box.y0;
   for (int32_t y = box.y0; y < y_end;) {
-    if (y == box.y0 || bits.take(1) == 0) {
-      read_row(bits, picture, above + before, to + before);
-    } else if (to != above) {
-      __builtin_memcpy(to, above, static_cast<size_t>(stride));
-    }
+    read_row(bits, picture, y == box.y0, above, to);
     above = to;
     to += stride;
     y += scale;
-    if (to > last || y >= y_end) {
-      draw_rows({bytes + before, stride, from, y}, box, scale, sink);
-      to = bytes;
+    if (to - before > last || y >= y_end) {
+      draw_rows({first, stride, from, y}, box, scale, sink);
+      to = first;
       from = y;
     }
   }
+}
+
+}  // namespace
+
+void draw_picture(const Picture& picture, const Sink& sink) noexcept {
+  (picture.bits == 1 ? draw_bits : draw_greys)(picture, sink);
+}
+
+bool draw_found(const Span<const uint8_t>& strikes,
+                const PictureCall& call,
+                DrawPicture* draw,
+                const Sink& sink) noexcept {
+  Picture picture;
+  if (!find_picture(strikes, call, picture)) {
+    return false;
+  }
+  if (!is_empty(intersect(picture.box, sink.window))) {
+    draw(picture, sink);
+  }
+  return true;
 }
 
 }  // namespace inkcell::detail

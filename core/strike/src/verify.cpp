@@ -10,6 +10,8 @@ namespace {
 
 namespace at = format::strike;
 
+constexpr detail::Placed kOrigin = {0, 0};
+
 // Whether an entry and its table keep to the format, and the pictures of its
 // glyphs lie in the section.
 bool is_whole(const Span<const uint8_t>& strikes,
@@ -40,10 +42,11 @@ bool is_whole(const Span<const uint8_t>& strikes,
   const uint32_t before = entry[at::kColumnBits] + entry[at::kColumnBits + 1];
   for (uint32_t i = 0; i != glyphs; ++i) {
     detail::Picture picture;
+    const detail::PictureCall call = {key, first + i, 1, kOrigin};
     const bool is_blank =
         detail::read_bits(strikes, box + row_bits * i + before,
                           entry[at::kColumnBits + 2]) == 0;
-    if (!is_blank && !detail::find_picture(strikes, key, first + i, picture)) {
+    if (!is_blank && !detail::find_picture(strikes, call, picture)) {
       return false;
     }
   }
