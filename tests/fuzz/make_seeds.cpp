@@ -1,7 +1,7 @@
 // Writes the seeds of the corpora: fonts as small as they can be, and outlines.
 //
 //   fuzz_make_seeds tests/fuzz/corpus tests/fuzz/corpus_outline
-//     tests/fuzz/corpus_moving
+//     tests/fuzz/corpus_moving tests/fuzz/corpus_strike
 #include <stdio.h>
 
 #include <string>
@@ -12,6 +12,7 @@
 #include "outline_input.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "strike_font.hpp"
 
 namespace {
 
@@ -238,13 +239,52 @@ std::vector<uint8_t> morphing_font() {
   return font;
 }
 
+// A strike of the sample font, of noise with rows that repeat; then the choice
+// of fuzz_strike.
+bool write_strike_seed(const std::string& path,
+                       const strike_font::StrikeSpec& spec) {
+  static strike_font::StrikeWriter<4096> strikes;
+  Random random(spec.bits);
+  strikes.begin(1);
+  strikes.add(spec, [&](uint16_t glyph, strike_font::Values& values) {
+    values.left = -2;
+    values.top = -8;
+    values.width = 4 * glyph;
+    values.height = glyph == 0 ? 0 : 9;
+    for (int32_t y = 0; y < values.height; ++y) {
+      for (int32_t x = 0; x < values.width; ++x) {
+        values.at[y][x] =
+            y % 3 == 2 ? values.at[y - 1][x]
+                       : static_cast<uint8_t>(random.below(1u << spec.bits));
+      }
+    }
+  });
+  const Span<const uint8_t> section = strikes.bytes();
+  std::vector<uint8_t> seed(section.begin(), section.end());
+  // 12 px, of a strike beside outlines fitted; glyph 5, within the picture.
+  for (const int byte : {1, 1, 5, 0, 16, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0}) {
+    seed.push_back(static_cast<uint8_t>(byte));
+  }
+  return write_file(path, seed);
+}
+
+bool write_strike_seeds(const std::string& folder) {
+  using inkcell::format::StrikeFit;
+  return write_strike_seed(folder + "bits.seed",
+                           {12, 1, StrikeFit::source, 0, 8}) &&
+         write_strike_seed(folder + "two_bits.seed",
+                           {12, 2, StrikeFit::none, 0, 8, 300}) &&
+         write_strike_seed(folder + "four_bits.seed",
+                           {12, 4, StrikeFit::both, 0, 8, 0, 0xdeadbeef});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  if (argc != 5) {
     fprintf(stderr,
             "usage: fuzz_make_seeds FOLDER FOLDER_OF_OUTLINES "
-            "FOLDER_OF_MOTION\n");
+            "FOLDER_OF_MOTION FOLDER_OF_STRIKES\n");
     return 2;
   }
   const std::string folder = std::string(argv[1]) + "/";
@@ -291,5 +331,6 @@ int main(int argc, char** argv) {
   written &= write_moving_seed(moving + "morph.seed", 5, true, morphing_font());
   written &=
       write_moving_seed(moving + "morph_far.seed", 6, false, morphing_font());
+  written &= write_strike_seeds(std::string(argv[4]) + "/");
   return written ? 0 : 1;
 }

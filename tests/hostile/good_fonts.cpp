@@ -4,6 +4,8 @@
 #include "font_builder.hpp"
 #include "grid_record.hpp"
 #include "outline_record.hpp"
+#include "random.hpp"
+#include "strike_font.hpp"
 
 namespace hostile {
 namespace {
@@ -69,13 +71,47 @@ Bytes build_outline_font() {
   return font;
 }
 
+// A strike of 4 bits, with noise for pictures, alone or beside those outlines.
+Bytes build_strike_font(bool is_alone) {
+  static strike_font::StrikeWriter<4096> strikes;
+  Random random(1);
+  strikes.begin(1);
+  strikes.add({22, 4, inkcell::format::StrikeFit::none, 0, 7, 500},
+              [&](uint16_t, strike_font::Values& values) {
+                values.top = -12;
+                values.width = 14;
+                values.height = 16;
+                for (auto& row : values.at) {
+                  for (uint8_t& value : row) {
+                    value = static_cast<uint8_t>(random.below(16));
+                  }
+                }
+              });
+  Bytes font = build_outline_font();
+  const size_t size = font.size();
+  font.resize(size + 4096);
+  font.resize(strike_font::add_section({font.data(), font.size()}, size,
+                                       is_alone
+                                           ? inkcell::format::section::kGlyphs
+                                           : inkcell::format::section::kStrikes,
+                                       strikes.bytes()));
+  require(!font.empty(), "the font fits its buffer");
+  if (is_alone) {
+    strike_font::set_alone({font.data(), font.size()}, 22);
+  }
+  return font;
+}
+
 }  // namespace
 
 Bytes good_font(const std::string& kind) {
   if (kind == "1" || kind == "2") {
     return build_font(kind == "2");
   }
-  return kind == "outline" ? build_outline_font() : Bytes();
+  return kind == "outline"   ? build_outline_font()
+         : kind == "strikes" ? build_strike_font(true)
+         : kind == "both"    ? build_strike_font(false)
+                             : Bytes();
 }
 
 }  // namespace hostile

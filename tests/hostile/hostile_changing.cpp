@@ -9,12 +9,16 @@
 #include <stdio.h>
 
 #include <memory>
+#include <string>
 
 #include "changing_bytes.hpp"
 #include "exercise.hpp"
 #include "good_fonts.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/painter.hpp"
+#include "inkcell/strike/outline_strike.hpp"
+#include "inkcell/strike/strike.hpp"
+#include "inkcell/strike/verify.hpp"
 
 namespace {
 
@@ -41,22 +45,30 @@ struct Ink {
   }
 };
 
-void draw_with_ram(const Font& font, Ink& ink) {
+// By its coding.
+Status open(const std::string& kind, Span<const uint8_t> rom, Font& out) {
+  return kind == "strikes" ? Font::open(rom, kStrikeCoding, out)
+         : kind == "both"  ? Font::open(rom, kOutlineStrikeCoding, out)
+                           : open_any_font(rom, out);
+}
+
+void draw_with_ram(const Font& font, const Style& style, Ink& ink) {
   const auto ram = std::make_unique<uint32_t[]>(kRam / 4);
   const Workspace workspace = {reinterpret_cast<uint8_t*>(ram.get()), kRam};
-  const Style style(22_px, kFilterText);
   const Sink sink = {ink.window, &ink, Ink::coverage, Ink::solid};
   for (uint16_t glyph = 0; glyph < 7; ++glyph) {
     Painter(sink, workspace)
         .glyph(font, style,
-               {Q26_6::from_int(1), Q26_6::from_raw(18 * 64 + glyph)}, glyph);
+               {Q26_6::from_int(1), Q26_6::from_raw(18 * 64 + glyph / 4)},
+               glyph);
   }
 }
 
-void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
+void run(const std::string& kind, bool is_at_end, uint32_t one_in, int rounds) {
   const hostile::Bytes good = hostile::good_font(kind);
   hostile::ChangingBytes memory({good.data(), good.size()}, is_at_end);
   Ink ink;
+  const bool has_strikes = kind == "strikes" || kind == "both";
   int opened = 0;
   int verified = 0;
   const int64_t loads = hostile::ChangingBytes::load_count();
@@ -66,17 +78,23 @@ void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
     // before.
     Font font;
     memory.start(static_cast<uint32_t>(round + 1), one_in);
-    const bool has_opened = open_any_font(memory.bytes(), font) == Status::ok;
+    const bool has_opened = open(kind, memory.bytes(), font) == Status::ok;
     opened += has_opened ? 1 : 0;
     if (!has_opened) {
       memory.stop();
-      hostile::require(open_any_font(memory.bytes(), font) == Status::ok,
+      hostile::require(open(kind, memory.bytes(), font) == Status::ok,
                        "the good font opens");
       memory.start(static_cast<uint32_t>(round + 1), one_in);
     }
     verified += font.verify() == Status::ok ? 1 : 0;
-    draw_with_ram(font, ink);
-    if (round == 0) {
+    if (has_strikes) {
+      verified += verify_strikes(font) == Status::ok ? 1 : 0;
+      draw_with_ram(font, Style(22_px), ink);
+    } else {
+      draw_with_ram(font, Style(22_px, kFilterText), ink);
+    }
+    // Strikes alone refuse most styles that it has.
+    if (round == 0 && kind != "strikes") {
       hostile::use(font);
     }
     memory.stop();
@@ -86,8 +104,9 @@ void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
   printf(
       "%-8s 1 in %3u: %3d rounds, %3d opened, %3d verified, %8lld loads, "
       "%7lld of other bytes, %7lld pixels\n",
-      kind, one_in, rounds, opened, verified, static_cast<long long>(trapped),
-      static_cast<long long>(changed), static_cast<long long>(ink.pixels));
+      kind.c_str(), one_in, rounds, opened, verified,
+      static_cast<long long>(trapped), static_cast<long long>(changed),
+      static_cast<long long>(ink.pixels));
   fflush(stdout);
   hostile::require(changed > trapped / (2 * int64_t{one_in}) && trapped > 1000,
                    "loads are trapped and changed");
@@ -97,7 +116,7 @@ void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
 
 int main() {
   hostile::expect_changing_bytes();
-  for (const char* kind : {"1", "2", "outline"}) {
+  for (const char* kind : {"1", "2", "outline", "strikes", "both"}) {
     run(kind, true, 3, 10);
     run(kind, false, 40, 10);
     run(kind, true, 1000, 20);
