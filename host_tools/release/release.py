@@ -34,10 +34,12 @@ class Release:
             shutil.rmtree(folder, ignore_errors=True)
             folder.mkdir(parents=True)
 
-    def add_listing(self, top, name, path):
-        """Writes the list of a piece, all of whose other files are below `top`."""
+    def add_listing(self, top, name, path, parts=()):
+        """Writes the list of a piece, all of whose other files are below `top`, and
+        into which `parts` (spdx.listing) are linked."""
         files = [(file, data) for file, _, data in archives.contents(top)]
-        path.write_text(spdx.listing(name, self.version, files, self.seconds))
+        path.write_text(spdx.listing(name, self.version, files, self.seconds,
+                                     parts))
 
 
 def make_two_files(release):

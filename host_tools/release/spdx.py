@@ -1,6 +1,7 @@
 """Lists of what a file of a release holds, in SPDX 2.3."""
 import hashlib
 import json
+import re
 import time
 
 
@@ -9,8 +10,20 @@ def relationship(one, how, other):
             "relatedSpdxElement": other}
 
 
-def listing(name, version, files, seconds):
-    """The list of a piece as JSON. `files`: names in the piece and their bytes."""
+def reference(name):
+    return "SPDXRef-" + re.sub(r"[^\w.-]", "-", name)
+
+
+def package(name, version, licence, **more):
+    return {"SPDXID": reference(name), "name": name, "versionInfo": version,
+            "downloadLocation": "NOASSERTION", "filesAnalyzed": False,
+            "licenseConcluded": licence, "licenseDeclared": licence,
+            "copyrightText": "NOASSERTION", **more}
+
+
+def listing(name, version, files, seconds, parts=()):
+    """The list of a piece as JSON. `files`: names in the piece and their bytes;
+    `parts`: name, version and licence of what is linked into it, each once."""
     entries = [{"SPDXID": f"SPDXRef-file-{i}", "fileName": f"./{path}",
                 "checksums": [{"algorithm": kind.upper(), "checksumValue":
                                hashlib.new(kind, data).hexdigest()}
@@ -21,7 +34,7 @@ def listing(name, version, files, seconds):
                for i, (path, data) in enumerate(files)]
     sums = sorted(entry["checksums"][0]["checksumValue"] for entry in entries)
     code = hashlib.sha1("".join(sums).encode()).hexdigest()
-    piece = f"SPDXRef-{name}"
+    piece = reference(name)
     return json.dumps({
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0",
         "SPDXID": "SPDXRef-DOCUMENT", "name": f"{name}-{version}",
@@ -30,15 +43,16 @@ def listing(name, version, files, seconds):
         "creationInfo": {
             "created": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds)),
             "creators": ["Tool: inkcell-release"]},
-        "packages": [{
-            "SPDXID": piece, "name": name, "versionInfo": version,
-            "downloadLocation": "NOASSERTION", "filesAnalyzed": True,
-            "packageVerificationCode": {"packageVerificationCodeValue": code},
-            "licenseConcluded": "MIT", "licenseDeclared": "MIT",
-            "licenseInfoFromFiles": ["NOASSERTION"],
-            "copyrightText": "NOASSERTION"}],
+        "packages": [
+            package(name, version, " AND ".join(sorted(
+                {"MIT", *(part.licence for part in parts)})), filesAnalyzed=True,
+                packageVerificationCode={"packageVerificationCodeValue": code},
+                licenseDeclared="MIT", licenseInfoFromFiles=["NOASSERTION"]),
+            *(package(part.name, part.version, part.licence) for part in parts)],
         "files": entries,
         "relationships": [
             relationship("SPDXRef-DOCUMENT", "DESCRIBES", piece),
             *(relationship(piece, "CONTAINS", entry["SPDXID"])
-              for entry in entries)]}, indent=1) + "\n"
+              for entry in entries),
+            *(relationship(piece, "STATIC_LINK", reference(part.name))
+              for part in parts)]}, indent=1) + "\n"
