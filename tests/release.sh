@@ -31,6 +31,12 @@ cp "$release/SHA256SUMS" "$work"
 (umask 077 && sleep 2 && TZ=Asia/Tokyo sh host_tools/release.sh "$version" --draft)
 cmp "$release/SHA256SUMS" "$work/SHA256SUMS"
 (cd "$release" && sha256sum --check --strict SHA256SUMS)
+# Fonts are kept meanwhile: a face is made again.
+python3 -B host_tools/release/fonts.py build/demo-host/fonts_gen/inkcell-fontgen \
+  "$work/again" --only segments7
+(cd "$work/again" && rm FONTS.md && find . -type f) | while read -r file; do
+  cmp "$work/again/$file" "build/release-fonts/fonts/$file"
+done
 
 echo "== what is in each"
 for piece in "$release"/*.zip; do

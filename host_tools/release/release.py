@@ -2,7 +2,8 @@
 all times are SOURCE_DATE_EPOCH, by default that of the commit.
 
 Each piece has LICENSE, a list of what it holds (SPDX 2.3) and a line in SHA256SUMS.
-The folder is emptied first. It takes seconds.
+The folder is emptied first. Fonts are kept in build/release-fonts until what makes
+them changes, and take many minutes else; the rest takes seconds.
 
 {pieces}
 """
@@ -17,6 +18,7 @@ import sys
 import time
 
 import archives
+import ecosystems
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -55,7 +57,7 @@ def make_two_files(release):
 
 
 # A further piece is a function here.
-PIECES = {"two_files": make_two_files}
+PIECES = {"two_files": make_two_files, **ecosystems.PIECES}
 
 
 def output(*command):
