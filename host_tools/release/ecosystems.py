@@ -1,7 +1,13 @@
-"""Ready fonts as a piece of a release."""
+"""Ready fonts, and archives of the library for ecosystems, which hold them.
+
+An archive is files of the checkout and the fonts in the form that its users include.
+Its README is that of port/NAME: <!-- cpp: FILE --> stands for a file of the archive.
+"""
+import functools
 import hashlib
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -15,12 +21,28 @@ TOOLS = ROOT / "build/demo-host"
 READY = ROOT / "build/release-fonts"
 TABLE = json.loads((ROOT / "host_tools/release/fonts.json").read_text())
 
+# What all archives but that of all fonts leave out: the longest sets.
+LEFT_OUT = ("european",)
+
+
+class Archive(typing.NamedTuple):
+    title: str
+    top: str  # the folder in the archive
+    form: str  # of fonts
+    fonts: str  # their folder
+
+
+ARCHIVES = {
+    "arduino": Archive("Arduino", "Inkcell", "hpp", "src/fonts"),
+}
+
 
 def run(*command):
     subprocess.run([str(word) for word in command], check=True, cwd=ROOT,
                    stdout=sys.stderr)
 
 
+@functools.cache
 def ready_fonts():
     """The folder of fonts.py. It is made anew, in many minutes, if the generator, the
     table or a package changed."""
@@ -58,6 +80,39 @@ def faces():
         yield Part(face["face"], version, face["licence"])
 
 
+def add_fonts(form, folder, licences):
+    """Copies fonts of one form. Lines of a table of them."""
+    ready = ready_fonts()
+    source = ready / form / ("fonts" if form != "bin" else "")
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copytree(ready / "licences", licences)
+    lines = ["| face | kind | sets | licence |", "| --- | --- | --- | --- |"]
+    for face in TABLE["faces"]:
+        sets = [name for name in TABLE["kinds"][face["kind"]] if name not in LEFT_OUT]
+        for name in sets:
+            shutil.copy(source / f"{face['face']}_{name}.{form}", folder)
+        lines.append(f"| `{face['face']}` | {face['kind']} | "
+                     f"{', '.join(f'`{name}`' for name in sets)} | "
+                     f"[{face['licence']}](licences/{face['face']}.txt) |")
+    return "\n".join(lines)
+
+
+def make_archive(release, name):
+    archive = ARCHIVES[name]
+    work = release.work / name
+    top = work / archive.top
+    run(sys.executable, "-B", "port/arduino/pack.py", top)
+    table = add_fonts(archive.form, top / archive.fonts, top / "licences")
+    readme = re.sub(r"<!-- (\w+): (\S+) -->", lambda found:
+                    f"```{found[1]}\n{(top / found[2]).read_text()}```",
+                    (ROOT / f"port/{name}/README.md").read_text())
+    (top / "README.md").write_text(readme.replace("<!-- fonts -->", table))
+    release.add_listing(work, f"inkcell-{name}", top / "inkcell.spdx.json",
+                        list(faces()))
+    archives.write_zip(release.folder / f"inkcell-{name}-{release.version}.zip", work,
+                       release.seconds)
+
+
 def make_fonts(release):
     """inkcell-fonts-VERSION.zip: fonts of 24 faces in all forms"""
     work = release.work / "fonts"
@@ -69,4 +124,12 @@ def make_fonts(release):
                        release.seconds)
 
 
-PIECES = {"fonts": make_fonts}
+def maker_of(name):
+    def make(release):
+        make_archive(release, name)
+    make.__doc__ = (f"inkcell-{name}-VERSION.zip: the library and ready fonts for "
+                    f"{ARCHIVES[name].title}")
+    return make
+
+
+PIECES = {"fonts": make_fonts, **{name: maker_of(name) for name in ARCHIVES}}

@@ -1,10 +1,10 @@
 """Packs the library as Arduino wants it: all sources below src/, which is its only
-include folder, in a folder and in a zip beside it. "Add .ZIP Library" takes the
-zip; a repository for Library Manager has the content of the folder at its top.
+include folder. The folder goes to `libraries` of the sketchbook; a repository for
+Library Manager has its content at the top.
 
-The examples get a font of ASCII and the degree sign. Another one for a sketch:
+The examples take fonts of src/fonts/, which has those of a release. To make one:
 
-    inkcell-fontgen --font FONT.ttf --name sans --out sans.h
+    inkcell-fontgen --font DejaVuSans.ttf --set latin-1 --name dejavu_sans_latin1 --out dejavu_sans_latin1.hpp
 """
 import argparse
 import pathlib
@@ -25,9 +25,6 @@ FOLDERS = {"core/include": ".", "core/src": ".",
            **{f"core/{name}/src": name for name in LIBRARIES},
            "port/pixel/include": ".", "port/display/include": ".",
            "port/pixel/src": "pixel", "port/display/src": "display"}
-# Where a sketch draws; the name of its font, and the characters.
-FONTS = {"Hello": ("digits", "0123456789: ")}
-DEFAULT_FONT = ("sans", "".join(map(chr, range(0x20, 0x7f))) + "\u00b0")
 # Until the library has one.
 NO_PAGE = "https://inkcell.invalid"
 
@@ -36,12 +33,8 @@ def read_arguments():
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("font", type=pathlib.Path, metavar="FONT.ttf",
-                        help="font of the examples")
-    parser.add_argument("fontgen", metavar="FONTGEN",
-                        help="path of inkcell-fontgen")
     parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER",
-                        help="folder to make, such as Inkcell; FOLDER.zip too")
+                        help="folder to make, such as Inkcell")
     parser.add_argument("--url", default=NO_PAGE,
                         help="page of the library, which Library Manager wants "
                              f"(default: {NO_PAGE})")
@@ -60,25 +53,11 @@ def all_headers():
                       '#include "InkcellPrint.h"', ""])
 
 
-def add_examples(folder, font, fontgen):
-    for example in sorted((HERE / "examples").iterdir()):
-        shutil.copytree(example, folder / example.name)
-        name, characters = FONTS.get(example.name, DEFAULT_FONT)
-        subprocess.run(
-            [fontgen, f"--font={font}", f"--symbols={characters}",
-             f"--name={name}", "--quiet",
-             f"--out={folder / example.name / name}.h"], check=True)
-
-
 def main():
     arguments = read_arguments()
     folder = arguments.folder
     if folder.exists():
         sys.exit(f"{folder} exists: remove it, or name another folder")
-    for path in (arguments.font, shutil.which(arguments.fontgen)):
-        if path is None or not pathlib.Path(path).is_file():
-            sys.exit(f"{path or arguments.fontgen}: no such file; FONTGEN is the path "
-                     "of inkcell-fontgen (docs/BUILD.md, \"Get the generator\")")
     folder.mkdir(parents=True)
     with tempfile.TemporaryDirectory() as made:
         subprocess.run([sys.executable, "-B", ROOT / "port/c/make_api.py", made],
@@ -95,9 +74,9 @@ def main():
         re.sub("(?m)^url=.*$", f"url={arguments.url}", properties))
     shutil.copy(HERE / "keywords.txt", folder)
     shutil.copy(ROOT / "LICENSE", folder)
-    add_examples(folder / "examples", arguments.font, arguments.fontgen)
-    archive = shutil.make_archive(str(folder), "zip", folder.parent, folder.name)
-    print(f"Packed {folder} and {archive}")
+    shutil.copytree(HERE / "examples", folder / "examples")
+    (folder / "src/fonts").mkdir()
+    print(f"Packed {folder}")
     if arguments.url == NO_PAGE:
         print(f"note: url is {NO_PAGE}; Library Manager wants a page that exists: "
               "--url", file=sys.stderr)

@@ -8,8 +8,8 @@ int main() {
   setup();
   loop();
   loop();
-  const Expected small(fonts::sans, 11, true);
-  const Expected large(fonts::sans, 24, true);
+  const Expected small(fonts::dejavu_sans_latin1, 11, true);
+  const Expected large(fonts::dejavu_sans_latin1, 24, true);
   const inkcell::port::MonoPagesCanvas canvas(
       inkcell::port::whole_picture(
           wanted, inkcell::port::PixelFormat::mono_pages, 128, 64),

@@ -12,8 +12,8 @@ static int check_example() {
   for (uint16_t& pixel : wanted) {
     pixel = 0xffff;
   }
-  const Expected small(fonts::sans, 18, false);
-  const Expected large(fonts::sans, 40.5, false);
+  const Expected small(fonts::dejavu_sans_latin1, 18, false);
+  const Expected large(fonts::dejavu_sans_latin1, 40.5, false);
   const auto canvas = inkcell::port::gfx_canvas16(wanted, 240, 240, 0x0000);
   int y = small.ascent();
   small.draw(canvas, 0, y, "Lines end between words, ");
@@ -26,7 +26,7 @@ static int check_example() {
   green.window = {8, 190, 108, 230};
   green.fill();
   green.set_colour(0x001f);
-  Expected(fonts::sans, 28, false).draw(green, 12, 220, "Over");
+  Expected(fonts::dejavu_sans_latin1, 28, false).draw(green, 12, 220, "Over");
   return compare("Adafruit_ST7789", tft.memory, wanted, 240 * 240);
 }
 
@@ -35,8 +35,8 @@ static int check_edges() {
   InkcellPrint out(canvas);
   const bool is_silent = out.print("A") == 0 && out.getWriteError() != 0 &&
                          !out.setFont({}, 12) && out.textWidth("A") == 0;
-  const Expected font(fonts::sans, 20, false);
-  out.setFont(fonts::sans, 20);
+  const Expected font(fonts::dejavu_sans_latin1, 20, false);
+  out.setFont(fonts::dejavu_sans_latin1, 20);
   out.setCursor(0, 20);
   out.print("WWWWW");  // three to the line
   out.setCursor(4, 20 + 2 * font.line());

@@ -5,8 +5,8 @@
 static uint16_t wanted[240 * 240];
 
 int main() {
-  const Expected small(fonts::sans, 24, false);
-  const Expected large(fonts::sans, 48, false);
+  const Expected small(fonts::dejavu_sans_latin1, 24, false);
+  const Expected large(fonts::dejavu_sans_latin1, 48, false);
   int result = !small.is_good || !large.is_good;
   for (int round = 0; round < 2; ++round) {
     tft.setSwapBytes(round == 1);

@@ -3,7 +3,7 @@ as include folder, and a core that is played. check_arduino.py has the rest."""
 import sys
 
 from packages.two_files import compile_all, link
-from toolchains import FONT, ROOT, call
+from toolchains import ROOT, call, make_font
 
 CORE = ROOT / "tests/build/arduino/core"
 MAIN = """#include "Arduino.h"
@@ -19,7 +19,8 @@ def build(work, _, fontgen):
     folder = work / "arduino"
     library = folder / "Inkcell"
     folder.mkdir()
-    call(sys.executable, ROOT / "port/arduino/pack.py", FONT, fontgen, library)
+    call(sys.executable, "-B", ROOT / "port/arduino/pack.py", library)
+    make_font(fontgen, library / "src/fonts/dejavu_sans_digits.hpp", "0x20,0x30-0x3A")
     (folder / "main.cpp").write_text(MAIN)
     sources = [*(library / "src").rglob("*.cpp"), folder / "main.cpp",
                CORE / "core.cpp"]

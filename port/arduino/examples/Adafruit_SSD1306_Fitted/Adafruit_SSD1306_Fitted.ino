@@ -2,8 +2,7 @@
 #include <Adafruit_GFX.h>
 #include <Adafruit_SSD1306.h>
 #include <Inkcell.h>
-
-#include "sans.h"  // made by inkcell-fontgen
+#include <fonts/dejavu_sans_latin1.hpp>
 
 Adafruit_SSD1306 oled(128, 64, &Wire, -1);
 InkcellPrint text(oled);
@@ -12,7 +11,7 @@ int count = 0;
 void setup() {
   oled.begin(SSD1306_SWITCHCAPVCC, 0x3C);
   oled.clearDisplay();
-  text.setFont(fonts::sans, 11);
+  text.setFont(fonts::dejavu_sans_latin1, 11);
   text.setTextColor(SSD1306_WHITE);  // on what is there
   text.setCursor(0, text.fontAscent());
   text.print(F("Pump 2 is running dry. Close the valve."));
@@ -20,7 +19,7 @@ void setup() {
 }
 
 void loop() {
-  text.setFont(fonts::sans, 24);
+  text.setFont(fonts::dejavu_sans_latin1, 24);
   text.setTextColor(SSD1306_WHITE, SSD1306_BLACK);
   text.setCursor(0, 58);
   text.print(++count);

@@ -3,8 +3,7 @@
 #include <Adafruit_GFX.h>
 #include <Adafruit_ST7789.h>
 #include <Inkcell.h>
-
-#include "sans.h"  // made by inkcell-fontgen
+#include <fonts/dejavu_sans_latin1.hpp>
 
 Adafruit_ST7789 tft(10, 9, 8);  // CS, DC, RST
 InkcellPrint text(tft);
@@ -14,7 +13,7 @@ void setup() {
   tft.init(240, 240);
   tft.fillScreen(0xffff);
 
-  text.setFont(fonts::sans, 18);
+  text.setFont(fonts::dejavu_sans_latin1, 18);
   text.setTextColor(0x0000, 0xffff);
   text.setCursor(0, text.fontAscent());
   text.println("Lines end between words, as they do on paper.");
@@ -22,7 +21,7 @@ void setup() {
   text.println(1013);
 
   const char* const right = "12:34";
-  text.setFont(fonts::sans, 40.5);
+  text.setFont(fonts::dejavu_sans_latin1, 40.5);
   text.setTextColor(0xf800, 0xffff);
   text.setCursor(240 - text.textWidth(right), 160);
   text.print(right);
@@ -30,7 +29,7 @@ void setup() {
   picture.fillScreen(
       0x07e0);  // without a paper, text is drawn on what is there
   InkcellPrint over(picture);
-  over.setFont(fonts::sans, 28);
+  over.setFont(fonts::dejavu_sans_latin1, 28);
   over.setTextColor(0x001f);
   over.setCursor(4, 30);
   over.print("Over");

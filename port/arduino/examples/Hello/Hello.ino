@@ -1,8 +1,7 @@
 // Draws a line of text into RAM, as RGB565, and prints how many pixels have
 // ink. Send `pixels` to your display in place of counting.
 #include <Inkcell.h>
-
-#include "digits.h"  // made by inkcell-fontgen: digits, a colon, a blank
+#include <fonts/dejavu_sans_digits.hpp>
 
 constexpr int32_t kWidth = 120;
 constexpr int32_t kHeight = 32;
@@ -13,7 +12,7 @@ constexpr inkcell::Style kStyle = inkcell::Style(24_px);
 
 inkcell::Status draw_clock(const char* text) {
   inkcell::Font font;
-  INKCELL_TRY(inkcell::Font::open(fonts::digits, font));
+  INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans_digits, font));
   inkcell::Strip strip;
   strip.pixels = pixels;
   strip.width = kWidth;

@@ -1,8 +1,7 @@
 // A label, and a value that changes without flicker, on a panel of TFT_eSPI.
 #include <Inkcell.h>
 #include <TFT_eSPI.h>
-
-#include "sans.h"  // made by inkcell-fontgen
+#include <fonts/dejavu_sans_latin1.hpp>
 
 TFT_eSPI tft;
 InkcellPrint text(tft);
@@ -11,14 +10,14 @@ float temperature = 21.5f;
 void setup() {
   tft.init();
   tft.fillScreen(TFT_NAVY);
-  text.setTextColor(TFT_WHITE, TFT_NAVY);  // ink, paper
-  text.setFont(fonts::sans, 24);           // px
-  text.setCursor(16, 48);                  // left end of the baseline
+  text.setTextColor(TFT_WHITE, TFT_NAVY);       // ink, paper
+  text.setFont(fonts::dejavu_sans_latin1, 24);  // px
+  text.setCursor(16, 48);                       // left end of the baseline
   text.print("Living room");
 }
 
 void loop() {
-  text.setFont(fonts::sans, 48);
+  text.setFont(fonts::dejavu_sans_latin1, 48);
   text.setCursor(16, 150);
   text.print(temperature, 1);  // its paper replaces the old value
   text.print(" \u00B0C ");

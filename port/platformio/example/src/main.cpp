@@ -2,7 +2,7 @@
 #include <Arduino.h>
 #include <InkcellPrint.h>
 #include <TFT_eSPI.h>
-#include <fonts/sans.hpp>  // by custom_inkcell_fonts
+#include <fonts/dejavu_sans_latin1.hpp>
 
 TFT_eSPI tft;
 InkcellPrint text(tft);
@@ -14,7 +14,7 @@ void setup() {
 }
 
 void loop() {
-  text.setFont(fonts::sans, 48);
+  text.setFont(fonts::dejavu_sans_latin1, 48);
   text.setCursor(16, 100);
   text.print(millis() / 1000.0, 1);
   text.print(" s ");
