@@ -4,7 +4,8 @@
 #   sh tests/release.sh
 #
 # The archives are made twice, and must be the same. The library as two files draws
-# the picture that the checkout draws. Works in build/release-test.
+# the picture that the checkout draws, and so do the archives of ecosystems
+# (tests/release/ecosystems.py). Works in build/release-test.
 set -eu
 cd "$(dirname "$0")/.."
 . host_tools/setup.sh
@@ -62,4 +63,5 @@ c++ -std=c++17 -Os -I"$work" -I"$two" tests/release/picture.cpp "$work/inkcell.o
 cmp "$work/checkout.pgm" "$work/two_files.pgm"
 # With ink, too.
 [ "$(tail -c 8000 "$work/checkout.pgm" | tr -d '\000' | wc -c)" -gt 500 ]
+python3 -B tests/release/ecosystems.py "$work/ecosystems" "$release"
 echo "== all pieces work"

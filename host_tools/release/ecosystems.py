@@ -21,19 +21,40 @@ TOOLS = ROOT / "build/demo-host"
 READY = ROOT / "build/release-fonts"
 TABLE = json.loads((ROOT / "host_tools/release/fonts.json").read_text())
 
+DEVICE = ("LICENSE", "core", ":(glob)port/c/*.*", "port/display/c_api.txt",
+          *(f"port/{part}/{kind}" for part in ("display", "pixel")
+            for kind in ("include", "src")))
+OF_CMAKE = (*DEVICE, "port/libraries.cmake", "port/libraries.kconfig",
+            "fonts_gen/cmake")
+OF_PLATFORMIO = (*DEVICE, "library.json", "port/arduino/InkcellPrint.h",
+                 "port/platformio")
 # What all archives but that of all fonts leave out: the longest sets.
 LEFT_OUT = ("european",)
+# What makes the font of an example where none is ready.
+MAKING = re.compile(r"\ninkcell_add_font\([^)]*\).*|(?s:\n; inkcell-fontgen is .*)")
 
 
 class Archive(typing.NamedTuple):
     title: str
     top: str  # the folder in the archive
+    files: tuple  # of the checkout; no files: port/arduino/pack.py makes the folder
     form: str  # of fonts
     fonts: str  # their folder
 
 
 ARCHIVES = {
-    "arduino": Archive("Arduino", "Inkcell", "hpp", "src/fonts"),
+    "arduino": Archive("Arduino", "Inkcell", (), "hpp", "src/fonts"),
+    "platformio": Archive("PlatformIO", "Inkcell", OF_PLATFORMIO, "hpp",
+                          "core/include/fonts"),
+    "esp_idf": Archive("ESP-IDF", "inkcell", (
+        *OF_CMAKE, "CMakeLists.txt", "idf_component.yml", "port/esp_idf"), "hpp",
+        "core/include/fonts"),
+    "zephyr": Archive("Zephyr", "inkcell", (*OF_CMAKE, "zephyr", "port/zephyr"), "hpp",
+                      "core/include/fonts"),
+    "esphome": Archive("ESPHome", "inkcell", (*OF_PLATFORMIO, "port/esphome"), "bin",
+                       "fonts"),
+    "micropython": Archive("MicroPython", "inkcell", (
+        *OF_CMAKE, "port/make/inkcell.mk", "port/micropython"), "bin", "fonts"),
 }
 
 
@@ -97,11 +118,25 @@ def add_fonts(form, folder, licences):
     return "\n".join(lines)
 
 
+def add_files(top, patterns):
+    """Copies files that git knows. Examples take a font that is ready."""
+    for name in fonts.call("git", "ls-files", "--", *patterns,
+                           cwd=ROOT).splitlines():
+        (top / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, top / name)
+        if name.endswith(("CMakeLists.txt", ".ini")):
+            path = top / name
+            path.write_text(MAKING.sub("\n", path.read_text()))
+
+
 def make_archive(release, name):
     archive = ARCHIVES[name]
     work = release.work / name
     top = work / archive.top
-    run(sys.executable, "-B", "port/arduino/pack.py", top)
+    if archive.files:
+        add_files(top, archive.files)
+    else:
+        run(sys.executable, "-B", "port/arduino/pack.py", top)
     table = add_fonts(archive.form, top / archive.fonts, top / "licences")
     readme = re.sub(r"<!-- (\w+): (\S+) -->", lambda found:
                     f"```{found[1]}\n{(top / found[2]).read_text()}```",

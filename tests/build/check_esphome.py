@@ -137,4 +137,5 @@ def main():
     finish(2 if given is None else 4, problems)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -36,7 +36,7 @@ def check_real(sources, work, build, fontgen):
     """Problems of a MicroPython with the module."""
     program = work / "build/micropython"
     expected = work / "expected"
-    font = work / "sans.bin"
+    font = work / "dejavu_sans_latin1.bin"
     for command in (
             ["make", "-C", sources / "ports/unix", f"-j{os.cpu_count()}",
              "VARIANT=standard", *WITHOUT, f"BUILD={work / 'build'}",
@@ -76,4 +76,5 @@ def main():
     finish(2, problems)
 
 
-main()
+if __name__ == "__main__":
+    main()

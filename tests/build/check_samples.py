@@ -72,7 +72,7 @@ def check_zephyr():
 
 def main():
     work, build, fontgen = arguments()
-    for name in ("room", "sans"):
+    for name in ("dejavu_sans_latin1", "sans"):
         make_font(fontgen, work / f"fonts/{name}.hpp")
     problems = check_zephyr()
     for name in SAMPLES:

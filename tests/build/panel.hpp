@@ -13,7 +13,8 @@ static int pixels_sent = 0;
 static void check_round() {
   static int round_number = 0;
   Screen screen;
-  const bool is_open = Font::open(fonts::room, screen.font) == Status::ok;
+  const bool is_open =
+      Font::open(fonts::dejavu_sans_latin1, screen.font) == Status::ok;
   screen.value = read_temperature();
   const Strip whole = {
       {reinterpret_cast<uint8_t*>(wanted), sizeof wanted}, 0, 0, 240, 240, 480};

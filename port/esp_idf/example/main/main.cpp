@@ -10,7 +10,7 @@
 #include <freertos/task.h>
 #include <stdio.h>
 
-#include <fonts/room.hpp>
+#include <fonts/dejavu_sans_latin1.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/port/strip_loop.hpp>
 
@@ -103,7 +103,7 @@ static void init(Screen& screen) {
 extern "C" void app_main() {
   static Screen screen;
   init(screen);
-  Status status = Font::open(fonts::room, screen.font);
+  Status status = Font::open(fonts::dejavu_sans_latin1, screen.font);
   StripLoop loop;
   loop.buffer = strips[0];
   loop.second = strips[1];

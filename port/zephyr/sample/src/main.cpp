@@ -5,7 +5,7 @@
 #include <zephyr/drivers/display.h>
 #include <zephyr/kernel.h>
 #include <zephyr/sys/printk.h>
-#include <fonts/room.hpp>
+#include <fonts/dejavu_sans_latin1.hpp>
 #include <inkcell/inkcell.hpp>
 #include <inkcell/port/strip_loop.hpp>
 
@@ -59,7 +59,7 @@ static Status run() {
     return Status::unsupported;  // MONO01 of OLEDs: MonoPagesCanvas
   }
   Screen screen;
-  INKCELL_TRY(Font::open(fonts::room, screen.font));
+  INKCELL_TRY(Font::open(fonts::dejavu_sans_latin1, screen.font));
   StripLoop loop;
   loop.buffer = pixels;
   loop.order = ByteOrder::high_first;
