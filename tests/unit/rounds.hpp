@@ -7,7 +7,7 @@
 //
 // A failure names its round and how to run it again:
 //
-//   INKCELL_ROUND=pictures_agree/17 build/host/tests/unit/unit_tests field_draw
+//   INKCELL_ROUND=steps_undo_the_matrix/17 unit_tests affine
 //
 // runs this test and this round only. What a test adds up over its rounds may
 // then be too little. Boards have no environment; they name the round, too.
