@@ -8,6 +8,7 @@
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
 #   inkcell_setup fonts    # the faces of host_tools/release/fonts.py, but npm's
+#   inkcell_setup site     # the documents as a site
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #   inkcell_setup packages NAME...
@@ -29,6 +30,8 @@ inkcell_packages_studio="$inkcell_packages_demo libsdl2-dev libimgui-dev
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
 
+inkcell_packages_site="python3 doxygen mkdocs python3-pygments"
+
 inkcell_packages_first="$inkcell_packages_demo
   git ccache libgtest-dev unicode-data fonts-roboto-unhinted fonts-liberation
   fonts-inter-variable fonts-lato fonts-noto-cjk
@@ -40,7 +43,7 @@ inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
   fonts-dejavu-extra fonts-inter
   librsvg2-bin xvfb xdotool fontmake
-  $inkcell_packages_reading"
+  $inkcell_packages_reading $inkcell_packages_site"
 
 inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zopfli
   libcli11-dev nlohmann-json3-dev fonts-dejavu-core"
@@ -73,11 +76,12 @@ inkcell_setup() {
     web) inkcell_wanted=$inkcell_packages_web ;;
     exe) inkcell_wanted=$inkcell_packages_exe ;;
     fonts) inkcell_wanted=$inkcell_packages_fonts ;;
+    site) inkcell_wanted=$inkcell_packages_site ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|studio|first|tests|web|exe|fonts|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|studio|first|tests|web|exe|fonts|site|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

@@ -13,7 +13,7 @@
 
 namespace inkcell::tools {
 
-/// "inkcell-fontgen 0.1.0, font format 0.2".
+/// "inkcell-fontgen 0.2.0, font format 0.3".
 inline std::string version_of(const std::string& program) {
   const auto number = [](auto part) { return std::to_string(part); };
   return program + " " + number(kLibraryVersionMajor) + "." +

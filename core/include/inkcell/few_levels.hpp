@@ -58,12 +58,13 @@ extern const LevelRule kShiftedTwoLevelRule;
 extern const LevelRule kShiftedFourLevelRule;
 }  // namespace detail
 
-/// What text of a size is drawn with on canvases of 1 bit, and of 2.
+/// What text of a size is drawn with on canvases of 1 bit.
 constexpr Style two_level_style(Q26_6 size) noexcept {
   return Style(size)
       .set_fit(kFitTwoLevels, nullptr)
       .set_effect(detail::kTwoLevels);
 }
+/// Likewise, on 2 bits.
 constexpr Style four_level_style(Q26_6 size) noexcept {
   return Style(size)
       .set_fit(kFitFourLevels, nullptr)

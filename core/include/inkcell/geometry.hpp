@@ -22,6 +22,7 @@ constexpr Rect intersect(const Rect& a, const Rect& b) noexcept {
           a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
 }
 
+/// Whether a rectangle holds no pixel.
 constexpr bool is_empty(const Rect& r) noexcept {
   return r.x1 <= r.x0 || r.y1 <= r.y0;
 }

@@ -77,6 +77,7 @@ struct Stretch {
     return least.raw >= kMinSize.raw && greatest.raw <= kMaxSize.raw;
   }
 };
+/// The least and the greatest size at which a matrix draws.
 Stretch stretch_of(const Matrix& matrix) noexcept;
 
 /// Size, direction and filter of text. Cannot fail, and can be a constant:

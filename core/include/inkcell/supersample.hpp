@@ -33,6 +33,7 @@ inline constexpr Q6_10 kPaperRadius = Q6_10::from_raw(1331);
 inline constexpr Q6_10 kMinRadius = Q6_10::from_raw(256);
 inline constexpr Q6_10 kMaxRadius = Q6_10::from_raw(1536);
 
+/// The mean of a circle of samples about a pixel, instead of one.
 struct Supersample : Effect {
   /// The radius is clamped to kMinRadius..kMaxRadius.
   constexpr explicit Supersample(Q6_10 radius = kSharpRadius) noexcept

@@ -133,8 +133,9 @@ struct TextMeasure {
   int32_t y_max = 0;
 };
 
-/// Of what a cursor has left, and of a text as designed.
+/// Of what a cursor has left.
 TextMeasure measure(const Font& font, TextCursor cursor) noexcept;
+/// Of a text as designed.
 inline TextMeasure measure(const Font& font, Text text) noexcept {
   return measure(font, TextCursor(font, text));
 }
@@ -152,6 +153,7 @@ struct PixelMeasure {
   Q26_6 bottom;
 };
 
+/// A measure in pixels of a style.
 PixelMeasure to_px(const Font& font,
                    const Style& style,
                    const TextMeasure& measure) noexcept;

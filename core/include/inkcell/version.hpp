@@ -8,7 +8,7 @@
 namespace inkcell {
 
 inline constexpr uint8_t kLibraryVersionMajor = 0;
-inline constexpr uint8_t kLibraryVersionMinor = 1;
+inline constexpr uint8_t kLibraryVersionMinor = 2;
 inline constexpr uint8_t kLibraryVersionPatch = 0;
 
 /// Version of the font format that this library reads and the generator of the

@@ -25,6 +25,7 @@ namespace detail {
 class GlyphStore;
 }
 
+/// How glyphs are stored, and which.
 struct GlyphCacheOptions {
   /// Bits of a stored coverage: 4 (errors up to 8/255) or 8 (exact).
   uint8_t bits = 4;

@@ -15,6 +15,7 @@
 
 namespace inkcell {
 
+/// Where the lines of a paragraph stand.
 enum class Align : uint8_t {
   start,  // left; right where the paragraph begins at the right
   left,

@@ -15,6 +15,7 @@
 
 namespace inkcell {
 
+/// Where the lines stand in the height of a box.
 enum class VerticalAlign : uint8_t {
   top,
   middle,   // of the lines

@@ -20,6 +20,7 @@ struct DigitCells {
   int32_t left = 0;    // how far ink overhangs a cell [px, <= 0]
   int32_t right = 0;   // likewise [px, >= 0]
 };
+/// The cell that holds each digit of a font.
 DigitCells measure_digits(const Font& font, const Style& style) noexcept;
 
 /// A cell without a digit.

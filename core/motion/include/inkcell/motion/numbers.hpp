@@ -20,6 +20,7 @@ constexpr Angle from_degrees(int32_t value) noexcept {
 
 /// Error below 1/16000. 1 is returned as 1 - 1/16384, the limit of Q2.14.
 Q2_14 sine(Angle angle) noexcept;
+/// Likewise.
 Q2_14 cosine(Angle angle) noexcept;
 
 /// The unit vector of an angle, exactly {1, 0} at 0. For Style.

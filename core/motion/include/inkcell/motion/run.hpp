@@ -62,6 +62,7 @@ Status lay_out(const Font& font,
 
 /// The units that a stagger counts, and the unit of a glyph.
 enum class Unit : uint8_t { glyph, word, line };
+/// How many a run has.
 uint32_t unit_count(const Run& run, Unit unit) noexcept;
 /// `index` < run.glyphs.size.
 uint32_t unit_of(const Run& run, Unit unit, size_t index) noexcept;

@@ -83,6 +83,7 @@ struct Turn {
   int32_t sine;
 };
 
+/// The rotation by an angle.
 inline Turn turn_of(motion::Angle angle) noexcept {
   return {motion::cosine(angle).raw, motion::sine(angle).raw};
 }

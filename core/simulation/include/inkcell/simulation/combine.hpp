@@ -51,6 +51,7 @@ motion::GridPoint combined_at(Span<const GridPart> parts,
                               Q16_16 y,
                               const Filter& filter) noexcept;
 
+/// Draws all pixels of it.
 void draw_combined(Span<const GridPart> parts,
                    const Filter& filter,
                    const Sink& sink) noexcept;

@@ -88,12 +88,13 @@ detail::OfDcs<Panel, Status> write(const Panel& display,
   return detail::write(display, Panel::controller_of(display), strip);
 }
 
-/// The screen that the user sees: the panel's sides, swapped by a quarter turn.
-/// [px]
+/// Width of the screen that the user sees: the panel's sides are swapped by a
+/// quarter turn. [px]
 constexpr int32_t screen_width(const DcsPanel& panel) noexcept {
   return (static_cast<uint8_t>(panel.rotation) & 1) != 0 ? panel.height
                                                          : panel.width;
 }
+/// Height of that screen. [px]
 constexpr int32_t screen_height(const DcsPanel& panel) noexcept {
   return (static_cast<uint8_t>(panel.rotation) & 1) != 0 ? panel.width
                                                          : panel.height;
@@ -105,6 +106,7 @@ constexpr int32_t screen_height(const DcsPanel& panel) noexcept {
 ///
 /// bad_argument: the bus has no `wait_ms`. Nothing is sent then.
 Status sleep(const DcsPanel& panel) noexcept;
+/// Switches both on again.
 Status wake(const DcsPanel& panel) noexcept;
 
 /// The backlight, 0 to 255; 0 after init(). Only of panels whose backlight

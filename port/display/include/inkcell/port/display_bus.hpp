@@ -18,6 +18,7 @@
 
 namespace inkcell::port {
 
+/// The functions by which a driver reaches a display.
 struct DisplayBus {
   /// The first argument of each function.
   void* context = nullptr;

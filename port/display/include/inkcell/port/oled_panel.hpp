@@ -22,6 +22,7 @@ template <typename Panel>
 detail::OfOled<Panel> sleep(const Panel& display) noexcept {
   display.bus.command(display.bus.context, &detail::kOledOff, 1);
 }
+/// Switches it on again.
 template <typename Panel>
 detail::OfOled<Panel> wake(const Panel& display) noexcept {
   display.bus.command(display.bus.context, &detail::kOledOn, 1);

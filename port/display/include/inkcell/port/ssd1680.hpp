@@ -19,6 +19,7 @@
 
 namespace inkcell::port {
 
+/// The controller of a panel.
 enum class EpaperController : uint8_t {
   ssd1680,  // memory of 176 x 296 px
   ssd1681,  // 200 x 200
@@ -30,6 +31,7 @@ enum class EpaperPlane : uint8_t {
   shown,  // as on the panel
 };
 
+/// How the panel shows what is new: all of it, by flashes, or what differs.
 enum class EpaperRefresh : uint8_t { full, partial };
 
 /// Its pixels are those of PixelFormat::mono_rows with BitOrder::high_left, and

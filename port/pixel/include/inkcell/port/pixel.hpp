@@ -37,6 +37,7 @@
 
 namespace inkcell::port {
 
+/// Formats of the pixels of a strip; canvases are named after them.
 enum class PixelFormat : uint8_t {
   a8,
   grey8,
