@@ -8,5 +8,6 @@
 # changes, or with --draft of whatever lies there. sh tests/release.sh tries them.
 set -eu
 . "$(dirname "$0")/setup.sh"
-inkcell_setup packages git python3
+inkcell_setup site
+inkcell_setup packages git
 exec python3 -B "$(dirname "$0")/release/release.py" "$@"

@@ -3,7 +3,7 @@ all times are SOURCE_DATE_EPOCH, by default that of the commit.
 
 Each piece has LICENSE, a list of what it holds (SPDX 2.3) and a line in SHA256SUMS.
 The folder is emptied first. Fonts are kept in build/release-fonts until what makes
-them changes, and take many minutes else; the rest takes seconds.
+them changes, and take many minutes else; the rest takes a minute.
 
 {pieces}
 """
@@ -18,6 +18,7 @@ import sys
 import time
 
 import archives
+import documents
 import ecosystems
 import spdx
 
@@ -56,8 +57,20 @@ def make_two_files(release):
     archives.write_zip(release.folder / f"{name}.zip", top, release.seconds)
 
 
+def make_site(release):
+    """inkcell-documents-VERSION.zip: the documents, index.html first"""
+    name = f"inkcell-documents-{release.version}"
+    top = release.work / "site"
+    folder = top / name
+    documents.make(folder, release.work / "site-work", release.version,
+                   release.seconds)
+    shutil.copy(ROOT / "LICENSE", folder)
+    release.add_listing(top, "inkcell-documents", folder / "inkcell.spdx.json")
+    archives.write_zip(release.folder / f"{name}.zip", top, release.seconds)
+
+
 # A further piece is a function here.
-PIECES = {"two_files": make_two_files, **ecosystems.PIECES}
+PIECES = {"two_files": make_two_files, "site": make_site, **ecosystems.PIECES}
 
 
 def output(*command):

@@ -31,6 +31,7 @@ class AcrossFit;
 class HeightFit;
 }  // namespace detail
 
+/// How far glyphs may change where they are fitted.
 struct FitOptions {
   static constexpr uint16_t kAll = 256;
 

@@ -31,6 +31,7 @@ constexpr int32_t diagonal_q10(int32_t length_q10) noexcept {
 }
 }  // namespace detail
 
+/// Which samples are taken, and how much each counts.
 enum class SampleRule : uint8_t {
   /// Where the distance is that of a straight edge, one sample is mapped to
   /// what 13 would give; everywhere else coverages are averaged, and the two

@@ -17,6 +17,7 @@ struct Grey8Pixels {
 };
 }  // namespace detail
 
+/// Pixels of one byte: 0 is black, 255 white.
 class Grey8Canvas : public Canvas<detail::Grey8Pixels> {
  public:
   explicit Grey8Canvas(const Strip& strip = {}, uint8_t level = 255) noexcept

@@ -21,6 +21,7 @@ struct Rgb888Pixels {
 };
 }  // namespace detail
 
+/// Pixels of three bytes.
 class Rgb888Canvas : public Canvas<detail::Rgb888Pixels> {
  public:
   explicit Rgb888Canvas(const Strip& strip = {},
