@@ -87,7 +87,7 @@ def build(work, host_build, fontgen):
     routes = {
         "subdirectory": (f"add_subdirectory({ROOT} inkcell)", built),
         "FetchContent": (FETCH.format(root=ROOT), built),
-        "find_package": ("find_package(Inkcell 0.1 REQUIRED)", installed),
+        "find_package": ("find_package(Inkcell 0.2 REQUIRED)", installed),
     }
     sizes, commands = {}, {}
     for name, (get, options) in routes.items():
