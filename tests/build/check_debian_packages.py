@@ -30,6 +30,7 @@ TRACELESS = {
     "libclang-rt-dev": "clang links it for sanitizers and the fuzzer",
     "libnewlib-arm-none-eabi": "hosted C in tests/build/packages, tests/bench",
     "picolibc-riscv64-unknown-elf": "hosted C in tests/bench",
+    "python3-pygments": "MkDocs colours code by it",
     "zopfli": "host_tools/playground/build.mjs packs the page by it",
 }
 BASE = ("apt", "git")
@@ -357,9 +358,10 @@ def tests_evidence(host):
     script = ROOT / "tests/run.sh"
     # With --here the first needs nothing, and says what it lacks; a folder that
     # the second made is used where a variable names it; build.fonts makes two faces
-    # of the third, which other tests name, too.
+    # of the third, which other tests name, too; the last one installs what it needs.
     optional = {ROOT / "tests" / "web.sh", ROOT / "fonts_gen/web" / "build.sh",
-                ROOT / "host_tools/release" / "fonts.json"}
+                ROOT / "host_tools/release" / "fonts.json",
+                ROOT / "tests" / "night.sh"}
     scripts = [script, *scripts_from([script.read_text(), *commands.values()],
                                      modules=True, without=optional)]
     found.add_scripts(scripts)
