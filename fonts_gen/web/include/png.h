@@ -5,6 +5,8 @@
 
 #define PNG_IMAGE_VERSION 1
 #define PNG_FORMAT_GRAY 0
+#define PNG_FORMAT_RGB 2
+#define PNG_IMAGE_PNG_SIZE_MAX(image) 0
 typedef uint32_t png_uint_32;
 typedef size_t png_alloc_size_t;
 typedef struct {
