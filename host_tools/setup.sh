@@ -7,6 +7,8 @@
 #   inkcell_setup tests    # first, studio, and what the other tests need on top
 #   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup exe      # what builds the generator for Windows, and runs it
+#   inkcell_setup static   # what builds the generator for any Linux
+#   inkcell_setup deb      # demo, and what makes packages of Debian on top
 #   inkcell_setup fonts    # the faces of host_tools/release/fonts.py, but npm's
 #   inkcell_setup site     # the documents as a site
 #   inkcell_setup reading  # what reads and judges small text
@@ -51,6 +53,11 @@ inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zop
 inkcell_packages_exe="cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64
   dpkg-dev libcli11-dev nlohmann-json3-dev"
 
+inkcell_packages_static="cmake ninja-build g++ dpkg-dev libcli11-dev
+  nlohmann-json3-dev"
+
+inkcell_packages_deb="$inkcell_packages_demo dpkg-dev help2man"
+
 inkcell_packages_fonts="python3 fonts-inter fonts-noto-core
   fonts-roboto-unhinted fonts-open-sans fonts-manrope fonts-dejavu-core
   fonts-b612 fonts-crosextra-caladea fonts-jetbrains-mono fonts-firacode
@@ -75,13 +82,15 @@ inkcell_setup() {
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     web) inkcell_wanted=$inkcell_packages_web ;;
     exe) inkcell_wanted=$inkcell_packages_exe ;;
+    static) inkcell_wanted=$inkcell_packages_static ;;
+    deb) inkcell_wanted=$inkcell_packages_deb ;;
     fonts) inkcell_wanted=$inkcell_packages_fonts ;;
     site) inkcell_wanted=$inkcell_packages_site ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|studio|first|tests|web|exe|fonts|site|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|studio|first|tests|web|exe|static|deb|fonts|site|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

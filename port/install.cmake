@@ -35,5 +35,6 @@ install(FILES
 if(INKCELL_HOST)
   install(TARGETS
     inkcell-render inkcell-inspect inkcell-accuracy inkcell-specimen
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  include(${CMAKE_CURRENT_LIST_DIR}/deb/package.cmake)
 endif()

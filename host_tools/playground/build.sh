@@ -15,7 +15,8 @@ sh port/web/build.sh "$folder/core"
 folder=$(cd "$folder" && pwd)
 version=$(sed -n 's/^project(inkcell VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 library=$folder/inkcell-$version.tar.gz
-tar --create --gzip --file "$library" --sort=name --owner=0 --group=0 --numeric-owner \
+tar --create --use-compress-program='gzip -n' --file "$library" --sort=name --owner=0 \
+  --group=0 --numeric-owner --mode=u=rwX,go=rX --mtime="@${SOURCE_DATE_EPOCH:-0}" \
   --exclude=__pycache__ --exclude=docs/img --transform 's,^,inkcell/,' \
   CMakeLists.txt LICENSE README.md core docs fonts_gen idf_component.yml library.json \
   meson.build meson_options.txt port zephyr -C "$folder/core" port/c/include port/c/src

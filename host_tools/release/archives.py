@@ -1,4 +1,7 @@
 """Archives that are the same bytes wherever they are made: sorted, and of one time."""
+import gzip
+import io
+import tarfile
 import time
 import zipfile
 
@@ -19,3 +22,14 @@ def write_zip(archive, folder, seconds):
             entry.create_system = 3  # Unix, which has modes
             entry.external_attr = (0o100000 | mode) << 16
             packed.writestr(entry, data, zipfile.ZIP_DEFLATED, 9)
+
+
+def write_tgz(archive, folder, seconds):
+    """The same as a tar file, packed by gzip."""
+    with open(archive, "wb") as file, gzip.GzipFile(
+            "", "wb", 9, file, seconds) as packed, tarfile.open(
+            fileobj=packed, mode="w") as tar:
+        for name, mode, data in contents(folder):
+            entry = tarfile.TarInfo(name)
+            entry.mode, entry.mtime, entry.size = mode, seconds, len(data)
+            tar.addfile(entry, io.BytesIO(data))

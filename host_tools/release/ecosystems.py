@@ -15,6 +15,7 @@ import typing
 
 import archives
 import fonts
+import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "build/demo-host"
@@ -86,19 +87,13 @@ def ready_fonts():
     return READY / "fonts"
 
 
-class Part(typing.NamedTuple):
-    name: str
-    version: str
-    licence: str
-
-
 def faces():
     """The faces as parts of a list of SPDX."""
     for face in TABLE["faces"]:
         package = face["package"]
         version = (package.rpartition("@")[2] if package.startswith(fonts.NPM) else
                    fonts.call("dpkg-query", "-W", "-f", "${Version}", package))
-        yield Part(face["face"], version, face["licence"])
+        yield spdx.Part(face["face"], version, face["licence"])
 
 
 def add_fonts(form, folder, licences):

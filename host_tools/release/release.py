@@ -20,6 +20,7 @@ import time
 import archives
 import documents
 import ecosystems
+import generator
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -70,7 +71,8 @@ def make_site(release):
 
 
 # A further piece is a function here.
-PIECES = {"two_files": make_two_files, "site": make_site, **ecosystems.PIECES}
+PIECES = {"two_files": make_two_files, "site": make_site, **generator.PIECES,
+          **ecosystems.PIECES}
 
 
 def output(*command):

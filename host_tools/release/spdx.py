@@ -3,6 +3,14 @@ import hashlib
 import json
 import re
 import time
+import typing
+
+
+class Part(typing.NamedTuple):
+    """What is linked into a piece, or a face in it."""
+    name: str
+    version: str
+    licence: str
 
 
 def relationship(one, how, other):
@@ -23,7 +31,7 @@ def package(name, version, licence, **more):
 
 def listing(name, version, files, seconds, parts=()):
     """The list of a piece as JSON. `files`: names in the piece and their bytes;
-    `parts`: name, version and licence of what is linked into it, each once."""
+    `parts` are each there once."""
     entries = [{"SPDXID": f"SPDXRef-file-{i}", "fileName": f"./{path}",
                 "checksums": [{"algorithm": kind.upper(), "checksumValue":
                                hashlib.new(kind, data).hexdigest()}
