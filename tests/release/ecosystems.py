@@ -4,7 +4,9 @@ archives draw on panels that are played, as in tests/build.
 
 The systems are played by a few functions. Where INKCELL_MICROPYTHON_DIR names
 MicroPython's sources, its unix port draws the picture; where INKCELL_PLATFORMIO_DIR
-names those of PlatformIO Core, whose platform `native` is installed, that builds it.
+names those of PlatformIO Core, whose platform `native` is installed, that builds it; where
+INKCELL_ESPHOME_DIR names ESPHome's, the program is what ESPHome generates for its
+platform `host`, and draws what a painter does.
 
 Usage: ecosystems.py WORK_FOLDER RELEASE
 """
@@ -37,6 +39,53 @@ pixels = bytearray(200 * 40)
 font = inkcell.Font(open(sys.argv[1], "rb").read())
 font.text(pixels, 200, 40, framebuf.GS8, "Hello, 12:34", 4, 28, 24, 255, fit=False)
 sys.stdout.buffer.write(b"P5 200 40 255\\n" + pixels)
+"""
+# The picture as fonts of ESPHome are drawn, with heights fitted.
+FITTED = """
+#include <inkcell/fit.hpp>
+static inkcell::Style fitted(const inkcell::Font& font) {
+  inkcell::Style style(inkcell::Q26_6::from_int(24));
+  static inkcell::Fit fit;
+  inkcell::FitOptions options;
+  options.across = false;
+  inkcell::Fit::make(font, style, options, fit);
+  style.set_fit(fit);
+  return style;
+}
+int main() {"""
+# The same by ESPHome's print(), in place of an update of its window.
+ESPHOME = """esphome: {name: picture}
+host:
+external_components:
+  - source: {type: local, path: inkcell/port/esphome/components}
+inkcell:
+  - {id: sans, file: inkcell/fonts/FONT.bin, size: 24}
+display:
+  - platform: sdl
+    dimensions: {width: 200, height: 40}
+    lambda: |-
+      static uint8_t pixels[200 * 40];
+      struct Sheet : display::Display {
+        void draw_pixel_at(int x, int y, Color color) override {
+          pixels[y * 200 + x] = color.g;
+        }
+        void update() override {}
+        int get_width() override { return 200; }
+        int get_height() override { return 40; }
+        int get_width_internal() override { return 200; }
+        int get_height_internal() override { return 40; }
+        display::DisplayType get_display_type() override {
+          return display::DISPLAY_TYPE_COLOR;
+        }
+      } sheet;
+      const char* const text = "Hello, 12:34";
+      int width, left, baseline, height;
+      id(sans).measure(text, &width, &left, &baseline, &height);
+      id(sans).print(4, 28 - baseline, &sheet, Color(255, 255, 255), text, Color());
+      printf("P5 200 40 255\\n");
+      fwrite(pixels, 1, sizeof pixels, stdout);
+      fflush(stdout);
+      _Exit(0);
 """
 
 
@@ -170,6 +219,33 @@ def esphome(top, work):
         "picture": [f"-I{work}", program_of(work)],
         "component": ["-fsyntax-only", f"-I{check_esphome.HERE / 'played'}",
                       check_esphome.COMPONENT / "inkcell_font.cpp"]})
+    if os.environ.get("INKCELL_ESPHOME_DIR"):
+        real_esphome(top, work)
+
+
+def real_esphome(top, work):
+    """What ESPHome makes of a configuration draws as a painter does."""
+    project = work / "project"
+    project.mkdir()
+    (project / "inkcell").symlink_to(top)
+    config = project / "picture.yaml"
+    config.write_text(ESPHOME.replace("FONT", FONT))
+    call("/usr/bin/python3", "-m", "esphome", "compile", "--only-generate", config,
+         env={**os.environ, "PYTHONPATH": os.environ["INKCELL_ESPHOME_DIR"]})
+    made = project / ".esphome/build/picture"
+    asked = (made / "platformio.ini").read_text()
+    if f"Inkcell=symlink://{top.resolve()}" not in asked:
+        finish(0, [f"ESPHome does not add the library: {asked}"])
+    flags = [word for word in asked.split() if re.match("-[DIl]", word)]
+    fitted = work / "fitted.cpp"
+    fitted.write_text(program_of(work).read_text().replace(
+        "Style(24_px)", "fitted(font)").replace("int main() {", FITTED))
+    from_library_json(top, work, {"fitted": [f"-I{work}", fitted], "program": [
+        *(made / "src").rglob("*.cpp"), f"-I{made / 'src'}", *flags]})
+    wanted = call(work / "fitted", encoding="latin-1")
+    if call(work / "program", encoding="latin-1",
+            env={**os.environ, "SDL_VIDEODRIVER": "dummy"}) != wanted:
+        finish(0, ["ESPHome's program draws another picture than a painter"])
 
 
 def two_files(top, work):
