@@ -6,7 +6,8 @@ The systems are played by a few functions. Where INKCELL_MICROPYTHON_DIR names
 MicroPython's sources, its unix port draws the picture; where INKCELL_PLATFORMIO_DIR
 names those of PlatformIO Core, whose platform `native` is installed, that builds it; where
 INKCELL_ESPHOME_DIR names ESPHome's, the program is what ESPHome generates for its
-platform `host`, and draws what a painter does.
+platform `host`, and draws what a painter does; where INKCELL_IDF_DIR names ESP-IDF's
+sources, and PYTHONPATH its kconfgen, the picture is a project of its target `linux`.
 
 Usage: ecosystems.py WORK_FOLDER RELEASE
 """
@@ -39,6 +40,12 @@ pixels = bytearray(200 * 40)
 font = inkcell.Font(open(sys.argv[1], "rb").read())
 font.text(pixels, 200, 40, framebuf.GS8, "Hello, 12:34", 4, 28, 24, 255, fit=False)
 sys.stdout.buffer.write(b"P5 200 40 255\\n" + pixels)
+"""
+IDF = """cmake_minimum_required(VERSION 3.16)
+set(EXTRA_COMPONENT_DIRS {top})
+set(COMPONENTS main)
+include($ENV{{IDF_PATH}}/tools/cmake/project.cmake)
+project(picture)
 """
 # The picture as fonts of ESPHome are drawn, with heights fitted.
 FITTED = """
@@ -188,7 +195,31 @@ def by_cmake(system):
             call(work / "build/sample")
         elif os.environ.get("INKCELL_MICROPYTHON_DIR"):
             real_micropython(top, work)
+        if system == "esp_idf" and os.environ.get("INKCELL_IDF_DIR"):
+            real_idf(top, work)
     return build
+
+
+def real_idf(top, work):
+    """A project of ESP-IDF, in place of the picture by its stand-in."""
+    project = work / "project"
+    (project / "main").mkdir(parents=True)
+    (project / "CMakeLists.txt").write_text(IDF.format(top=top))
+    (project / "main/CMakeLists.txt").write_text(
+        "idf_component_register(SRCS picture.cpp PRIV_REQUIRES inkcell)\n")
+    (project / "main/picture.cpp").write_text(
+        (work / "picture.cpp").read_text().replace("int main()", "int draw()") +
+        "#include <stdlib.h>\nextern \"C\" void app_main() {\n  const int result = draw();\n"
+        "  fflush(stdout);\n  _Exit(result);\n}\n")
+    environment = {**os.environ, "IDF_PATH": os.environ["INKCELL_IDF_DIR"],
+                   "IDF_TARGET": "linux", "IDF_COMPONENT_MANAGER": "0"}
+    call("cmake", "-G", "Ninja", "-S", project, "-B", project / "build",
+         "-DIDF_TARGET=linux", "-DPYTHON=/usr/bin/python3", "-DPYTHON_DEPS_CHECKED=1",
+         env=environment)
+    call("cmake", "--build", project / "build", env=environment)
+    picture = work / "picture"
+    # Logs come first.
+    picture.write_text(f"#!/bin/sh\n{project}/build/picture.elf | tail -c 8014\n")
 
 
 def real_micropython(top, work):
