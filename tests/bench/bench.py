@@ -54,7 +54,7 @@ BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # Coding, as the generator names it: firmware, and the ways that stand beside
 # the other engines.
 CODINGS = {
-    "outline": ("outline", ("upright", "area")),
+    "outline": ("outline", ("area", "upright")),
     "field": ("cells", ("upright",)),
 }
 # Codings as ROM fonts number them; 1 was that of earlier versions.

@@ -81,8 +81,9 @@ What one glyph costs, beside FreeType and stb_truetype, and in LVGL. Written by
   code point to 8-bit coverage, look-up included, without a cache. Inkcell
   draws into strips of 16 rows, as many as the glyph needs; the others render
   once, and the bitmap that they make counts as output.
-- *outline* draws by distance, *outline, area* by exact area, both with 2,560
-  bytes of lent RAM: points are decoded once for all strips.
+- *outline* draws by exact area, which a style does unless another filter is asked
+  for, *outline, text* by distance, both with 2,560 bytes of lent RAM: points are
+  decoded once for all strips. *field* draws by distance.
 - Instructions, not cycles, under {qemu}: the same on every run.
   A loop of known length is counted first.
 - One compiler, and one set of flags: the core's name and the level of
@@ -102,9 +103,9 @@ What one glyph costs, beside FreeType and stb_truetype, and in LVGL. Written by
 
 
 def coding_of(result):
-    """The coding, and the filter if it is not one of distance."""
-    area = ", area" if result["way"] == "area" else ""
-    return result["coding"] + area
+    """The coding, and the filter if it is not the default."""
+    by_distance = result["coding"] == "outline" and result["way"] != "area"
+    return result["coding"] + (", text" if by_distance else "")
 
 
 def freetype_counts(results):
@@ -251,8 +252,8 @@ def codings_table(results, figures, smallest):
             cells = []
             for name in names:
                 area = of(name, cpu, "area").get(px)
-                cells.append(thousands(of(name, cpu)[px]) +
-                             (f", area {thousands(area)}" if area else ""))
+                text = thousands(of(name, cpu)[px])
+                cells.append(f"{thousands(area)}, text {text}" if area else text)
             rows.append([f"thousand instructions, {CORES[cpu]}, {px} px",
                          *cells])
     for way in ("turned", "leaning"):
