@@ -13,6 +13,7 @@
 #   inkcell_setup site     # the documents as a site
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
+#   inkcell_setup pieces   # what takes the generator's pieces of a release
 #   inkcell_setup packages NAME...
 #
 # Installs missing packages as root or through sudo. If neither is allowed,
@@ -66,6 +67,9 @@ inkcell_packages_fonts="python3 fonts-inter fonts-noto-core
 
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
+inkcell_packages_pieces="$inkcell_packages_bare g++ unzip busybox-static wine wine64
+  nodejs lintian python3-venv python3-license-expression"
+
 # The packages of "$@" that are not installed, each once.
 inkcell_missing() {
   for package in $(printf '%s\n' "$@" | awk '!seen[$0]++'); do
@@ -88,9 +92,10 @@ inkcell_setup() {
     site) inkcell_wanted=$inkcell_packages_site ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
+    pieces) inkcell_wanted=$inkcell_packages_pieces ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|studio|first|tests|web|exe|static|deb|fonts|site|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|studio|first|tests|web|exe|static|deb|fonts|site|reading|bare|pieces|packages NAME..." >&2
       exit 2
       ;;
   esac

@@ -5,12 +5,13 @@
 #
 # The archives are made twice, and must be the same. The library as two files draws
 # the picture that the checkout draws, and so do the archives of ecosystems
-# (tests/release/ecosystems.py). Works in build/release-test.
+# (tests/release/ecosystems.py) and fonts of each piece of the generator
+# (tests/release/generator.sh). Works in build/release-test. Needs root.
 set -eu
 cd "$(dirname "$0")/.."
 . host_tools/setup.sh
 inkcell_setup demo
-inkcell_setup packages git unzip
+inkcell_setup pieces
 export PATH="/usr/lib/ccache:$PATH" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 release=$PWD/build/release
 work=$PWD/build/release-test
@@ -40,9 +41,16 @@ python3 -B host_tools/release/fonts.py build/demo-host/fonts_gen/inkcell-fontgen
 done
 
 echo "== what is in each"
-for piece in "$release"/*.zip; do
-  unzip -q "$piece" -d "$work/$(basename "$piece")"
-  python3 -B tests/release/check_listing.py "$work/$(basename "$piece")"
+mkdir "$work/deb"
+cp "$release"/*.deb "$release"/*.spdx.json "$work/deb"
+/usr/bin/python3 -B tests/release/check_listing.py "$work/deb"
+for piece in "$release"/*.zip "$release"/*.whl "$release"/*.tgz; do
+  folder=$work/$(basename "$piece")
+  case $piece in
+    *.tgz) mkdir "$folder" && tar -xzf "$piece" -C "$folder" ;;
+    *) unzip -q "$piece" -d "$folder" ;;
+  esac
+  /usr/bin/python3 -B tests/release/check_listing.py "$folder"
 done
 
 echo "== one picture by the checkout and by the two files"
@@ -64,4 +72,5 @@ cmp "$work/checkout.pgm" "$work/two_files.pgm"
 # With ink, too.
 [ "$(tail -c 8000 "$work/checkout.pgm" | tr -d '\000' | wc -c)" -gt 500 ]
 python3 -B tests/release/ecosystems.py "$work/ecosystems" "$release"
+sh tests/release/generator.sh "$work/generator" "$release" "$fontgen"
 echo "== all pieces work"
