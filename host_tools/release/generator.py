@@ -15,6 +15,10 @@ import spdx
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WEB = ROOT / "build/web"
 NAME = "inkcell-fontgen"
+# Of inkcell-tools.
+PROGRAMS = (NAME, "inkcell-render", "inkcell-inspect", "inkcell-accuracy",
+            "inkcell-specimen")
+FACE = "fonts-dejavu-core"  # in the page
 # Licences of what fonts_gen/web compiles; of Debian's headers; of what compilers add.
 SOURCES = {"brotli": "MIT", "freetype": "FTL", "harfbuzz": "MIT-Modern-Variant",
            "fribidi": "LGPL-2.1-or-later", "libpolyclipping": "BSL-1.0",
@@ -147,30 +151,29 @@ def make_page(release):
     name = f"inkcell-page-{release.version}"
     work = release.work / "page"
     top = work / name
+    face = spdx.Part(FACE, fonts.call("dpkg-query", "-W", "-f", "${Version}", FACE),
+                     "Bitstream-Vera")
     shutil.copytree(WEB / "site", top / "site")
     shutil.copy(WEB / "inkcell.html", top)
     add_texts("generator", release, top)
+    shutil.copy(f"/usr/share/doc/{FACE}/copyright",
+                top / f"licences/{FACE}.txt")
     release.add_listing(work, "inkcell-page", top / "inkcell.spdx.json",
-                        list(parts("generator")))
+                        [*parts("generator"), face])
     archives.write_zip(release.folder / f"{name}.zip", work, release.seconds)
 
 
 def make_deb(release):
     """inkcell-tools and libinkcell-dev, packages of Debian"""
-    build = ROOT / "build/release-deb"
-    ecosystems.run("sh", "-c", ". host_tools/setup.sh && inkcell_setup deb")
-    ecosystems.run("cmake", "-S", ".", "-B", build, "-G", "Ninja",
-                   "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_INSTALL_PREFIX=/usr",
-                   "-DINKCELL_TESTS=OFF", "-DINKCELL_JOIN_FOLDERS=ON")
-    ecosystems.run("cmake", "--build", build)
-    for old in build.glob("*.deb"):
-        old.unlink()
-    ecosystems.run("env", f"SOURCE_DATE_EPOCH={release.seconds}", "cpack", "-G", "DEB",
-                   "--config", build / "CPackConfig.cmake", "-B", build)
     work = release.work / "deb"
     work.mkdir()
-    for package in build.glob("*.deb"):
-        shutil.copy(package, work)
+    ecosystems.run("sh", "-c", ". host_tools/setup.sh && inkcell_setup deb")
+    ecosystems.run("cmake", "--preset", "demo-host")
+    ecosystems.run("cmake", "--build", ecosystems.TOOLS, "--target", "inkcell_port_c",
+                   *PROGRAMS)
+    ecosystems.run("env", f"SOURCE_DATE_EPOCH={release.seconds}", "cpack", "-G", "DEB",
+                   "--config", ecosystems.TOOLS / "CPackConfig.cmake", "-B", work)
+    shutil.rmtree(work / "_CPack_Packages")
     release.add_listing(work, "inkcell-deb", release.folder /
                         f"inkcell-deb-{release.version}.spdx.json")
     shutil.copytree(work, release.folder, dirs_exist_ok=True)

@@ -53,7 +53,8 @@ def listing(name, version, files, seconds, parts=()):
             "creators": ["Tool: inkcell-release"]},
         "packages": [
             package(name, version, " AND ".join(sorted(
-                {"MIT", *(part.licence for part in parts)})), filesAnalyzed=True,
+                {"MIT", *(f"({part.licence})" if " OR " in part.licence else
+                          part.licence for part in parts)})), filesAnalyzed=True,
                 packageVerificationCode={"packageVerificationCodeValue": code},
                 licenseDeclared="MIT", licenseInfoFromFiles=["NOASSERTION"]),
             *(package(part.name, part.version, part.licence) for part in parts)],
