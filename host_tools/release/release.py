@@ -107,6 +107,7 @@ def read_arguments():
 
 def main():
     arguments = read_arguments()
+    os.umask(0o022)  # cpack writes modes of its own files, too
     release = Release(arguments.version,
                       int(os.environ.get("SOURCE_DATE_EPOCH") or
                           output("git", "log", "-1", "--format=%ct")))
