@@ -41,9 +41,14 @@ class Archive(typing.NamedTuple):
     files: tuple  # of the checkout; no files: port/arduino/pack.py makes the folder
     form: str  # of fonts
     fonts: str  # their folder
+    for_c: bool = False  # with the interface for C as it is made
 
 
 ARCHIVES = {
+    "library": Archive("CMake, Make and Meson", "inkcell", (
+        *OF_CMAKE, "CMakeLists.txt", "meson.build", "meson_options.txt", "fonts_gen",
+        "port/CMakeLists.txt", "port/pixel", "port/display", "port/c", "port/make",
+        "port/meson"), "hpp", "core/include/fonts", True),
     "arduino": Archive("Arduino", "Inkcell", (), "hpp", "src/fonts"),
     "platformio": Archive("PlatformIO", "Inkcell", OF_PLATFORMIO, "hpp",
                           "core/include/fonts"),
@@ -132,6 +137,8 @@ def make_archive(release, name):
         add_files(top, archive.files)
     else:
         run(sys.executable, "-B", "port/arduino/pack.py", top)
+    if archive.for_c:
+        run(sys.executable, "-B", "port/c/make_api.py", top / "port/c")
     table = add_fonts(archive.form, top / archive.fonts, top / "licences")
     readme = re.sub(r"<!-- (\w+): (\S+) -->", lambda found:
                     f"```{found[1]}\n{(top / found[2]).read_text()}```",

@@ -285,6 +285,44 @@ def two_files(top, work):
          {"picture": [program_of(work)]})
 
 
+def in_c(top, work):
+    """picture.c with the two files, where inkcell.h lies, too."""
+    fonts, = (work.parent / "fonts").iterdir()
+    (work / "sans.h").write_text(f"#include <fonts/{FONT}.h>\n"
+                                 f"#define sans {FONT}\n#define sans_size {FONT}_size\n")
+    link(work, [f"-I{top}"], [top / "inkcell.cpp"], {})
+    call("gcc", "-std=c99", "-Os", f"-I{top}", f"-I{work}", f"-I{fonts}/c",
+         HERE / "picture.c", fonts / f"c/fonts/{FONT}.c", work / "library.a", "-o",
+         work / "picture")
+
+
+def by_project(name):
+    """The lines of the archive's README, for a program named app."""
+    file, commands = PROJECTS[name]
+
+    def build(top, work):
+        program_of(work).rename(work / "app.cpp")
+        (work / "subprojects").mkdir()
+        (work / "subprojects/inkcell").symlink_to(top)
+        (work / "inkcell").symlink_to(top)
+        block = re.search(rf"```{name}\n(.*?)```", (top / "README.md").read_text(),
+                          re.S)[1]
+        if name == "cmake":
+            block = ("cmake_minimum_required(VERSION 3.25)\n"
+                     "project(app LANGUAGES C CXX)\nadd_executable(app app.cpp)\n"
+                     f"{block}")
+        (work / file).write_text(block)
+        call("sh", "-euc", commands, cwd=work)
+        (work / "picture").symlink_to(
+            work / ("app" if name == "make" else "build/app"))
+    return build
+
+
+PROJECTS = {"cmake": ("CMakeLists.txt", "cmake -B build; cmake --build build"),
+            "make": ("Makefile", "make app"),
+            "meson": ("meson.build", "meson setup build; meson compile -C build")}
+
+
 def sizes_of(folder):
     """Problems of the sizes of fonts."""
     sizes = {path.stem: path.stat().st_size for path in folder.glob("*.bin")}
@@ -299,8 +337,10 @@ def processor_seconds():
     return times.children_user + times.children_system
 
 
-SYSTEMS = {"two_files": two_files, "arduino": arduino, "platformio": platformio,
-           "esphome": esphome, **{name: by_cmake(name) for name in SAMPLES}}
+SYSTEMS = {"two_files": two_files, "c": in_c,
+           **{name: by_project(name) for name in PROJECTS},
+           "arduino": arduino, "platformio": platformio, "esphome": esphome,
+           **{name: by_cmake(name) for name in SAMPLES}}
 
 
 def main():
@@ -308,7 +348,9 @@ def main():
     os.environ["CCACHE_DISABLE"] = "1"  # a user's first build
     pieces = {name: next(release.glob(pattern)) for name, pattern in (
         ("fonts", "inkcell-fonts-*.zip"), ("two_files", "inkcell-[0-9]*.zip"),
-        *((name, f"inkcell-{name}-*.zip") for name in list(SYSTEMS)[1:]))}
+        ("c", "inkcell-[0-9]*.zip"),
+        *((name, f"inkcell-{'library' if name in PROJECTS else name}-*.zip")
+          for name in list(SYSTEMS)[2:]))}
     pictures = {}
     for name, piece in pieces.items():
         begun = processor_seconds()
