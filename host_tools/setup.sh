@@ -68,7 +68,7 @@ inkcell_packages_fonts="python3 fonts-inter fonts-noto-core
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
 inkcell_packages_pieces="$inkcell_packages_bare g++ unzip busybox-static wine wine64
-  nodejs lintian python3-venv python3-license-expression"
+  nodejs chromium lintian python3-venv python3-license-expression"
 
 # The packages of "$@" that are not installed, each once.
 inkcell_missing() {

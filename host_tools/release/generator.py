@@ -154,7 +154,8 @@ def make_page(release):
     face = spdx.Part(FACE, fonts.call("dpkg-query", "-W", "-f", "${Version}", FACE),
                      "Bitstream-Vera")
     shutil.copytree(WEB / "site", top / "site")
-    shutil.copy(WEB / "inkcell.html", top)
+    for file in ("inkcell.html", f"inkcell-{release.version}.tar.gz"):  # it links this
+        shutil.copy(WEB / file, top)
     add_texts("generator", release, top)
     shutil.copy(f"/usr/share/doc/{FACE}/copyright",
                 top / f"licences/{FACE}.txt")

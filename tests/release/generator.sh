@@ -6,8 +6,8 @@
 # FONTGEN is the generator of this checkout. Each piece makes the same font, and the
 # library as two files draws the same picture with it. The machines are root folders:
 # an empty one with busybox, Debian bullseye, of 2021, and bookworm; debootstrap makes
-# these once in build/release-machines. The program for Windows runs by Wine. Needs
-# root.
+# these once in build/release-machines. The program for Windows runs by Wine, the page
+# in Chromium. Needs root, and playwright-core from npm.
 set -eu
 [ $# = 3 ] || { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/../.."
@@ -133,6 +133,14 @@ end "$here"
 begin npm "inkcell-fontgen-[0-9.]*.tgz"
 npm install --offline --no-audit --no-fund --silent --prefix "$here" "$piece"
 (cd "$here" && node_modules/.bin/inkcell-fontgen $make)
+end "$here"
+
+begin page "inkcell-page-*.zip"
+unzip -q "$piece" -d "$here"
+npm install --silent --no-audit --no-fund --ignore-scripts --prefix "$work/modules" \
+  playwright-core@1
+node tests/release/page.mjs "$here"/inkcell-page-* "$work/modules" "$here/sans.ttf" \
+  "$here/sans.hpp"
 end "$here"
 
 begin deb "inkcell-tools_*.deb"
