@@ -5,6 +5,7 @@ import functools
 import hashlib
 import os
 import pathlib
+import platform
 import shutil
 
 import archives
@@ -31,8 +32,10 @@ RUNTIMES = {
                 "gcc-mingw-w64-x86-64-posix-runtime": GCC},
     "generator": {"emscripten": "MIT OR NCSA"},
 }
-# Of a wheel: where it runs.
-TAGS = {"linux": "py3-none-manylinux2014_x86_64.musllinux_1_1_x86_64",
+# Processors, and where a wheel runs: a static program on each distribution.
+MACHINES = {"linux": platform.machine(), "windows": "x86_64"}
+TAGS = {"linux": "py3-none-manylinux2014_{0}.musllinux_1_1_{0}".format(
+            MACHINES["linux"]),
         "windows": "py3-none-win_amd64"}
 
 
@@ -76,7 +79,7 @@ def program_of(kind):
 
 
 def make_program(release, kind):
-    name = f"{NAME}-{release.version}-{kind}-x86_64"
+    name = f"{NAME}-{release.version}-{kind}-{MACHINES[kind]}"
     work = release.work / name
     top = work / name
     program = program_of(kind)
