@@ -8,6 +8,7 @@ and includes nothing but what lies beside it:
 
     c++ -std=c++17 -Os -ffunction-sections -fdata-sections -c inkcell.cpp
 
+A program whose fonts have strikes alone adds -DINKCELL_ONLY_STRIKES.
 The interface for C is compiled where inkcell.h lies beside it.
 """
 import argparse

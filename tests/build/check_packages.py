@@ -67,6 +67,12 @@ def main():
         for name, size in package.build(work, build, fontgen).items():
             sizes[name] = size
             passed += 1
+    # Of strikes alone: nothing of outlines, wherever the library's objects come from.
+    strikes = {f"{canvas}, {name}": size
+               for name in ("two files", "arduino")
+               for canvas, size in sizes.pop(f"{name}, strikes").items()}
+    print(f"strikes alone: {strikes}")
+    problems += limits.exceeded("strikes", strikes)
     cmake_projects.check_fields(work)
     code = cmake_projects.readme_code(work, fontgen)
     figures = {"text, Cortex-M0": code[0], "text, Cortex-M3": code[1],

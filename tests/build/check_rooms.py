@@ -70,6 +70,7 @@ GENERATOR = {
 OF_OTHER_HEADERS = {
     "core/src/font/code_points.cpp": "inkcell/font.hpp",
     "core/src/rows/area_painter.cpp": "rows/band.hpp",
+    "core/src/rows/cover_areas.cpp": "rows/band.hpp",
     "core/src/rows/distance_painter.cpp": "rows/band.hpp",
     "core/src/rows/draw_bands.cpp": "rows/source.hpp",
     "core/src/rows/edge_rows.cpp": "rows/band.hpp",

@@ -59,13 +59,18 @@ constexpr Source kSingleFieldSource = {prepare_single,     load_none,
                                        SourceKind::fields, nullptr};
 
 }  // namespace
-// Brings the object of what draws fields on canvases of few levels. Nobody
-// reads it, so that the linker drops it.
+#ifndef INKCELL_ONLY_STRIKES
+// Bring the objects of what draws fields on canvases of few levels, and of
+// coverage from areas. Nobody reads them, so that the linker drops them.
 extern const LevelRule* const kFieldRules[];
 const LevelRule* const kFieldRules[] = {&kTwoLevelRule, &kFourLevelRule};
+extern decltype(cover_areas)* const kFieldCover;
+decltype(cover_areas)* const kFieldCover = cover_areas;
+#endif
 
 }  // namespace detail
 
+#ifndef INKCELL_ONLY_STRIKES
 const Coding kFieldCoding = {static_cast<uint8_t>(format::Coding::field),
                              &detail::kFieldSource};
 
@@ -81,6 +86,7 @@ void draw_field(const GlyphField& field,
         workspace);
   }
 }
+#endif
 
 Rect field_box(const GlyphField& field,
                const Style& style,

@@ -18,7 +18,9 @@ struct Coding {
   const detail::Source* source;
 };
 
-/// Outlines, the coding of Font::open without a name.
+/// Outlines, the coding of Font::open without a name. Where
+/// INKCELL_ONLY_STRIKES is defined, neither this coding nor that of fields is
+/// there, and the linker names who asks for it.
 extern const Coding kOutlineCoding;
 
 }  // namespace inkcell

@@ -126,6 +126,7 @@ const Style& adapt(const LevelRule& rule,
 }  // namespace
 
 const Mixer kFewLevelsMixer = {nullptr, plan_neighbours, mix_few};
+#ifndef INKCELL_ONLY_STRIKES
 const LevelRule kTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels, &kTwoLevels};
 const LevelRule kFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
                                   &kFourLevels};
@@ -133,6 +134,7 @@ const LevelRule kShiftedTwoLevelRule = {adapt, fitter_of, &kFitTwoLevels,
                                         &kShiftedTwoLevels};
 const LevelRule kShiftedFourLevelRule = {adapt, fitter_of, &kFitFourLevels,
                                          &kShiftedFourLevels};
+#endif
 
 }  // namespace detail
 }  // namespace inkcell

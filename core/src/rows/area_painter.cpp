@@ -25,7 +25,6 @@ namespace inkcell::detail {
 namespace {
 
 constexpr int32_t kFull = 240;
-
 // Chords stray no farther from a curve. [px, Q8]
 constexpr int32_t kTolerance = 6;
 
@@ -387,6 +386,7 @@ struct AreaPainter {
 
 }  // namespace
 
+#ifndef INKCELL_ONLY_STRIKES
 void paint_areas(const Band& band,
                  OutlineCursor& cursor,
                  const ScreenPoint* points,
@@ -395,5 +395,6 @@ void paint_areas(const Band& band,
   walk_contours(band, cursor.first_edge(), cursor.is_bent, points, end,
                 painter);
 }
+#endif
 
 }  // namespace inkcell::detail

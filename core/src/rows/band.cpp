@@ -8,7 +8,8 @@
 //
 // What makes coverage of areas, which all styles name, is linked likewise.
 // A weak reference takes no object from an archive, but keeps a function of one
-// that is there. The linker drops the functions that no filter keeps.
+// that is there. The linker drops the functions that no filter keeps. Where all
+// lies in one object, INKCELL_ONLY_STRIKES leaves out what weak names find.
 #include "rows/band.hpp"
 
 namespace inkcell::detail {

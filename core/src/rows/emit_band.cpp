@@ -5,6 +5,7 @@
 #include "base/words.hpp"
 #include "inkcell/assert.hpp"
 #include "inkcell/painted.hpp"
+#include "rows/cover_words.hpp"
 #include "rows/source.hpp"
 
 namespace inkcell::detail {
@@ -43,26 +44,6 @@ inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
   return word + 1 > 1 ? kSeveral : word;
 }
 
-// A band's words of four pixels to coverage, row by row. `first`: as Words are
-// at the beginning of each.
-template <typename Words>
-inline void cover_words(const Band& band, const Words& first) noexcept {
-  uint8_t* at = band.bytes;
-  const int32_t row_bytes = band.row_bytes();
-  const int32_t skipped = band.stride - row_bytes;
-  for (int32_t row = band.rows; row != 0; --row) {
-    Words words = first;
-    uint8_t* const end = at + row_bytes;
-    do {
-      const uint32_t bytes = load_pixels(at);
-      store_pixels(at, __builtin_expect(bytes == 0, 1) ? words.same()
-                                                       : words.next(bytes));
-      at += 4;
-    } while (at != end);
-    at += skipped;
-  }
-}
-
 }  // namespace
 
 __attribute__((noinline)) uint32_t clamp_and_scale(uint32_t sums) noexcept {
@@ -75,10 +56,6 @@ __attribute__((noinline)) uint32_t clamp_and_scale(uint32_t sums) noexcept {
     coverage |= (sum + (sum >> 4)) << shift;
   }
   return coverage;
-}
-
-void cover_areas(const Band& band, const Filter&) noexcept {
-  cover_words(band, SumWords{});
 }
 
 void cover_filtered(const Band& band, const Filter& filter) noexcept {

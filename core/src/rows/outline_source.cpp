@@ -109,6 +109,7 @@ void fill_outline(GlyphJob& base) noexcept {
   } while (!job.outline.is_done());
 }
 
+#ifndef INKCELL_ONLY_STRIKES
 static constexpr Source kOutlineSource = outline_source(draw_banded);
 
 // Name the objects of all painters, for band.cpp, and of what fits
@@ -121,10 +122,15 @@ const Fitter* const kOutlineFitters[] = {&kFitTwoLevels, &kFitFourLevels};
 extern PaintPoints* const kOutlinePainters[];
 PaintPoints* const kOutlinePainters[] = {paint_areas, paint_crossings,
                                          paint_distances, paint_wide_distances};
+extern decltype(cover_areas)* const kOutlineCover;
+decltype(cover_areas)* const kOutlineCover = cover_areas;
+#endif
 
 }  // namespace detail
 
+#ifndef INKCELL_ONLY_STRIKES
 const Coding kOutlineCoding = {static_cast<uint8_t>(format::Coding::outline),
                                &detail::kOutlineSource};
+#endif
 
 }  // namespace inkcell

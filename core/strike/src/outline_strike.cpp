@@ -94,11 +94,13 @@ constexpr Source kEitherSource = outline_source(draw_either<kBits>);
 }  // namespace
 }  // namespace detail
 
+#ifndef INKCELL_ONLY_STRIKES
 const Coding kOutlineStrikeCoding = {
     static_cast<uint8_t>(format::Coding::outline),
     &detail::kEitherSource<false>};
 const Coding kOutlineBitStrikeCoding = {
     static_cast<uint8_t>(format::Coding::outline),
     &detail::kEitherSource<true>};
+#endif
 
 }  // namespace inkcell

@@ -2,7 +2,7 @@
 as include folder, and a core that is played. check_arduino.py has the rest."""
 import sys
 
-from packages.two_files import compile_all, link
+from packages.two_files import build_strikes, compile_all, link
 from toolchains import ROOT, call, make_font
 
 CORE = ROOT / "tests/build/arduino/core"
@@ -27,4 +27,11 @@ def build(work, _, fontgen):
     objects = compile_all(folder / "objects", sources, [
         *FLAGS, f"-I{library / 'src'}", f"-I{library / 'examples/Hello'}",
         f"-I{CORE}"])
-    return {"arduino": link(folder / "app", objects)}
+    # As dot_a_linkage of library.properties asks for.
+    archive = folder / "libInkcell.a"
+    call("arm-none-eabi-ar", "rcs", archive, *objects[:-2])
+    return {"arduino": link(folder / "app", [*objects[-2:], archive]),
+            "arduino, strikes": build_strikes(
+                folder / "strikes", "Inkcell.h",
+                [*FLAGS, f"-I{library / 'src'}", f"-I{CORE}"],
+                [archive, objects[-1]])}

@@ -27,6 +27,28 @@ int main() {
   return hello(strip) == inkcell::Status::ok ? 0 : 1;
 }
 """
+# The smallest program of a canvas and strikes; what its font is the linker does not
+# mind. Then names of what only outlines need.
+STRIKES = """#include <@HEADER@>
+
+using namespace inkcell;
+
+extern uint8_t pixels[2048];
+uint8_t pixels[2048];
+extern const uint8_t font_bytes[4];
+alignas(4) const uint8_t font_bytes[4] = {};
+
+int main() {
+  Font font;
+  const Status status = Font::open({font_bytes, 4}, kBitStrikeCoding, font);
+  const port::@CANVAS@ canvas({pixels, 0, 0, 128, 64, 128}, 1, 0);
+  Painter(canvas).text(font, Style(12_px), {4, 28}, "12:34");
+  return static_cast<int>(status);
+}
+"""
+STRIKE_CANVASES = ("MonoPages", "MonoRows", "Grey2")
+OUTLINES = ("OutlineReader", "paint_areas", "cover_areas", "kFitTwoLevels",
+            "kFitFourLevels", "LevelRule", "kFewLevelsMixer")
 FONT_OPTIONS = ["--chars=0x20-0x7E"]
 # Parts that a project compiles if it asks for them, and their folders.
 LIBRARIES = {"cache": "core/cache", "field": "core/field",

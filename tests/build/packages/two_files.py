@@ -1,9 +1,10 @@
 """No build system: a compiler, and the library as two files, as docs/BUILD.md says."""
 import sys
 
-from packages.consumer import COMPILE, LINK, size_of, write_sources
+from packages.consumer import (COMPILE, LINK, OUTLINES, STRIKE_CANVASES, STRIKES,
+                               code_of, size_of, write_sources)
 from toolchains import (COMPILERS, DEVICE_FLAGS, ROOT, WARNINGS, c_compiler, call,
-                        finish, in_parallel, make_font)
+                        finish, in_parallel, make_font, run)
 
 IN_C = """#include "inkcell.h"
 
@@ -26,6 +27,27 @@ def compile_all(folder, sources, options):
 def link(program, objects):
     call("arm-none-eabi-gcc", *LINK, *objects, "-o", program)
     return size_of(program)
+
+
+def build_strikes(folder, header, options, library):
+    """Bytes of code of the programs of strikes alone that are linked with the library,
+    by canvas; they must have nothing of outlines."""
+    folder.mkdir(parents=True, exist_ok=True)
+    sources = []
+    for canvas in STRIKE_CANVASES:
+        sources.append(folder / f"{canvas}.cpp")
+        sources[-1].write_text(STRIKES.replace("@HEADER@", header)
+                               .replace("@CANVAS@", f"{canvas}Canvas"))
+    sizes = {}
+    for canvas, part in zip(STRIKE_CANVASES, compile_all(folder, sources, options)):
+        program = folder / canvas
+        link(program, [part, *library])
+        names = call("arm-none-eabi-nm", "-C", program)
+        for name in OUTLINES:
+            if name in names:
+                finish(0, [f"{program}: {name} is linked, which strikes do not need"])
+        sizes[canvas] = code_of(program)
+    return sizes
 
 
 def build(work, _, fontgen):
@@ -61,4 +83,13 @@ def build(work, _, fontgen):
     size = link(folder / "app", objects)
     if link(folder / "app", [*without_c, *objects[1:]]) != size:
         finish(0, ["two_files: the interface for C is linked without a call"])
-    return {"two files": size}
+    only_strikes = [*DEVICE_FLAGS, f"-I{library}", "-DINKCELL_ONLY_STRIKES"]
+    strikes = build_strikes(
+        folder / "strikes", "inkcell.hpp", only_strikes,
+        compile_all(folder / "only_strikes", [library / "inkcell.cpp"],
+                    only_strikes))
+    said = run(["arm-none-eabi-gcc", *LINK, *objects[1:],
+                folder / "only_strikes/0.o", "-o", folder / "refused"])
+    if "kOutlineCoding" not in said.stdout or said.returncode == 0:
+        finish(0, [f"two_files: only strikes, but outlines are linked: {said.stdout}"])
+    return {"two files": size, "two files, strikes": strikes}
