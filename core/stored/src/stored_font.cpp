@@ -11,6 +11,7 @@ constexpr Font kNoFont;
 
 Status StoredFont::open(const Storage& storage,
                         Span<uint8_t> ram,
+                        const Coding& coding,
                         StoredFont& out) noexcept {
   using detail::StoredStore;
   static_assert(sizeof(StoredStore) <= kStoreBytes, "see ram_bytes()");
@@ -22,7 +23,7 @@ Status StoredFont::open(const Storage& storage,
     return Status::buffer_small;
   }
   auto* const store = reinterpret_cast<StoredStore*>(ram.data);
-  INKCELL_TRY(store->open(storage, ram));
+  INKCELL_TRY(store->open(storage, ram, coding));
   out.store_ = store;
   return Status::ok;
 }

@@ -3,7 +3,8 @@
 #include "rows/outline_source.hpp"
 #include "stored_store.hpp"
 
-namespace inkcell::detail {
+namespace inkcell {
+namespace detail {
 namespace {
 
 bool prepare_stored(GlyphJob& job,
@@ -27,8 +28,9 @@ constexpr Source kStoredSource = {
     SourceKind::outlines, draw_banded};
 
 }  // namespace
+}  // namespace detail
 
-const Coding kStoredCoding = {static_cast<uint8_t>(format::Coding::outline),
-                              &kStoredSource};
+const Coding kStoredOutlineCoding = {
+    static_cast<uint8_t>(format::Coding::outline), &detail::kStoredSource};
 
-}  // namespace inkcell::detail
+}  // namespace inkcell

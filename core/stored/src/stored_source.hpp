@@ -1,11 +1,5 @@
-// Draws glyphs of stored fonts: by the source of outlines, from their page.
+// Draws outlines of stored fonts, by the source of outlines, from their page: an
+// object of its own (kStoredOutlineCoding), which strikes do not link.
 #pragma once
 
-#include "inkcell/coding.hpp"
-
-namespace inkcell::detail {
-
-/// The coding of a stored font.
-extern const Coding kStoredCoding;
-
-}  // namespace inkcell::detail
+#include "inkcell/stored/stored_font.hpp"

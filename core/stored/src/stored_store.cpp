@@ -7,7 +7,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/stored/paged.hpp"
 #include "inkcell/version.hpp"
-#include "stored_source.hpp"
+#include "rows/source.hpp"
 
 namespace inkcell::detail {
 namespace {
@@ -18,7 +18,9 @@ namespace trailer = format::paged::trailer;
 
 }  // namespace
 
-Status StoredStore::open(const Storage& storage, Span<uint8_t> ram) noexcept {
+Status StoredStore::open(const Storage& storage,
+                         Span<uint8_t> ram,
+                         const Coding& coding) noexcept {
   glyph_of = glyph_of_code;
   page_of = page_of_glyph;
   kerning = kerning_of;
@@ -29,7 +31,7 @@ Status StoredStore::open(const Storage& storage, Span<uint8_t> ram) noexcept {
   INKCELL_TRY(
       read_header(static_cast<uint32_t>(ram.size - sizeof(StoredStore))));
   clear();
-  return open_font();
+  return open_font(coding);
 }
 
 // Reads the resident bytes, and takes the numbers of their header. `ram_bytes`
@@ -85,13 +87,16 @@ Status StoredStore::read_header(uint32_t ram_bytes) noexcept {
   return slot_count_ == 0 ? Status::buffer_small : Status::ok;
 }
 
-Status StoredStore::open_font() noexcept {
+Status StoredStore::open_font(const Coding& coding) noexcept {
+  // Others do not look for a glyph's page.
+  if (coding.source->load != nullptr) {
+    return Status::unsupported;
+  }
   const size_t bytes = size_t{resident_bytes_} - font_offset_;
   font_ = Font();
   INKCELL_TRY(
-      Font::open({resident() + font_offset_, bytes}, kStoredCoding, font_));
+      Font::open({resident() + font_offset_, bytes}, coding, font_));
   page_ = font_;
-  page_.source_ = kOutlineCoding.source;
   font_.tables_[0] = {};  // look-up is by the index
   font_.pages_ = this;
   return Status::ok;

@@ -15,7 +15,9 @@ namespace inkcell::detail {
 class __attribute__((may_alias)) StoredStore : public FontPages {
  public:
   // Fills in a store that lies at the beginning of `ram`.
-  Status open(const Storage& storage, Span<uint8_t> ram) noexcept;
+  Status open(const Storage& storage,
+              Span<uint8_t> ram,
+              const Coding& coding) noexcept;
   void clear() noexcept;
   Status verify() noexcept;
 
@@ -48,7 +50,7 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
                             uint16_t right) noexcept;
 
   Status read_header(uint32_t ram_bytes) noexcept;
-  Status open_font() noexcept;
+  Status open_font(const Coding& coding) noexcept;
   Status fail(Status why) noexcept;
   bool read_block(uint32_t slot, uint32_t block) noexcept;
   uint32_t find_slot(uint32_t block) const noexcept;

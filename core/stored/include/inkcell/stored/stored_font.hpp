@@ -17,12 +17,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/coding.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/stored/paged.hpp"
 
 namespace inkcell {
+
+/// Outlines, the coding of StoredFont::open without a name.
+extern const Coding kStoredOutlineCoding;
 
 /// Storage of a font. `read` fills in `count` bytes from `offset` on, counted
 /// from the font's first byte, and tells whether it could. Both are multiples
@@ -72,6 +76,15 @@ class StoredFont {
   /// unsupported: as Font::open(). `out` is untouched unless the result is ok.
   static Status open(const Storage& storage,
                      Span<uint8_t> ram,
+                     StoredFont& out) noexcept {
+    return open(storage, ram, kStoredOutlineCoding, out);
+  }
+  /// The same of another coding: kStrikeCoding or kBitStrikeCoding of
+  /// inkcell/strike/strike.hpp. unsupported: the font is of another one, or
+  /// fonts of the coding are not stored.
+  static Status open(const Storage& storage,
+                     Span<uint8_t> ram,
+                     const Coding& coding,
                      StoredFont& out) noexcept;
 
   /// The font. It differs from others in this: glyph_count() is that of a page
