@@ -14,6 +14,7 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/stored/paged.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "inkcell/version.hpp"
 #include "random.hpp"
 #include "repair_font.hpp"
@@ -96,7 +97,10 @@ void run(const uint8_t* data, size_t size) {
   StoredFont stored;
   if (StoredFont::open({File::read, &file},
                        {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * 8},
-                       stored) != Status::ok) {
+                       stored) != Status::ok &&
+      StoredFont::open({File::read, &file},
+                       {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * 8},
+                       kStrikeCoding, stored) != Status::ok) {
     return;
   }
   file.failing = choice[5];
@@ -105,6 +109,12 @@ void run(const uint8_t* data, size_t size) {
   const Font copy = font;
   Style style(
       Q26_6::from_raw(static_cast<int32_t>(256 + get_u16(choice + 7) % 6000)));
+  // Strikes have one size and its multiples.
+  if (!font.has_outlines()) {
+    style = Style(
+        Q26_6::from_int(font.range().min_px % 256 * (1 + choice[7] % 4)));
+  }
+  hostile::expect_changing_bytes();
   Fit fit;
   FitOptions options;
   options.across = choice[9] % 2 != 0;

@@ -82,7 +82,8 @@ run() {
 failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
-run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp
+run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp \
+  core/strike/src/*.cpp
 run fuzz_strike corpus_strike 2048 core/strike/src/*.cpp
 compile core/motion/src/*.cpp core/simulation/src/*.cpp
 run fuzz_moving corpus_moving 6000

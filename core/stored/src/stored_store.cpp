@@ -94,8 +94,7 @@ Status StoredStore::open_font(const Coding& coding) noexcept {
   }
   const size_t bytes = size_t{resident_bytes_} - font_offset_;
   font_ = Font();
-  INKCELL_TRY(
-      Font::open({resident() + font_offset_, bytes}, coding, font_));
+  INKCELL_TRY(Font::open({resident() + font_offset_, bytes}, coding, font_));
   page_ = font_;
   font_.tables_[0] = {};  // look-up is by the index
   font_.pages_ = this;
