@@ -7,6 +7,7 @@
 #include "rows/outline_source.hpp"
 #include "rows/strike_scale.hpp"
 
+#ifndef INKCELL_ONLY_STRIKES
 namespace inkcell {
 namespace detail {
 namespace {
@@ -23,6 +24,7 @@ constexpr uint32_t entry_word(int32_t px,
 
 // The strikes that show what a style draws from outlines into a sink, as the
 // word of their entries. False: none do.
+template <bool kBits>
 bool find_word(const Style& style, const Sink& sink, uint32_t& word) noexcept {
   const int32_t size_q6 = style.size().raw;
   if (!is_plain(style) || (size_q6 & 63) != 0) {
@@ -39,7 +41,7 @@ bool find_word(const Style& style, const Sink& sink, uint32_t& word) noexcept {
     bits = rule->effect->strike_bits;
     fit = fitter == rule->own ? StrikeFit::both : StrikeFit::source;
   } else {
-    if (style.effect() != nullptr) {
+    if (kBits || style.effect() != nullptr) {
       return false;
     }
     fit = style.fit_options() == &kBothMark      ? StrikeFit::both
@@ -54,35 +56,19 @@ bool find_word(const Style& style, const Sink& sink, uint32_t& word) noexcept {
   return fit != StrikeFit::source;
 }
 
-// What lies in a font from its strikes on; nothing, if it has none. The run
-// keeps where, unless its state is another's.
-Span<const uint8_t> strikes_of(GlyphRun& run) noexcept {
-  const Span<const uint8_t> rom = run.font->rom();
-  uint32_t offset = run.state;
-  if (offset < format::header::kBytes) {
-    const Span<const uint8_t> found =
-        run.font->section(format::section::kStrikes);
-    offset = found.size == 0 ? format::section::kOffsetMask
-                             : static_cast<uint32_t>(found.data - rom.data);
-    run.state = run.state == 0 ? offset : run.state;
-  }
-  return offset < rom.size
-             ? Span<const uint8_t>{rom.data + offset, rom.size - offset}
-             : Span<const uint8_t>{};
-}
-
 // By kBits, strikes of 1 bit alone.
 template <bool kBits>
 void draw_either(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept {
   const Sink& sink = run.painter.sink();
   uint32_t word;
-  if (find_word(*run.style, sink, word) &&
+  if (find_word<kBits>(*run.style, sink, word) &&
       (!kBits || (word & kBitsMask) == kBitKey.word) &&
       // Fitters bring glyphs to whole pixels.
       (word >> 24 != static_cast<uint32_t>(StrikeFit::none) ||
        ((placed.x_q10 | placed.y_q10) & 1023) == 0) &&
-      draw_found(strikes_of(run), {{~uint32_t{0}, word}, glyph, 1, placed},
-                 kBits ? draw_bits : draw_picture, sink)) {
+      draw_found(run.font->section(format::section::kStrikes),
+                 {{~uint32_t{0}, word}, glyph, 1, placed},
+                 kBits ? draw_bits_as_is : draw_picture_as_is, sink)) {
     return;
   }
   draw_banded(run, glyph, placed);
@@ -94,13 +80,12 @@ constexpr Source kEitherSource = outline_source(draw_either<kBits>);
 }  // namespace
 }  // namespace detail
 
-#ifndef INKCELL_ONLY_STRIKES
 const Coding kOutlineStrikeCoding = {
     static_cast<uint8_t>(format::Coding::outline),
     &detail::kEitherSource<false>};
 const Coding kOutlineBitStrikeCoding = {
     static_cast<uint8_t>(format::Coding::outline),
     &detail::kEitherSource<true>};
-#endif
 
 }  // namespace inkcell
+#endif

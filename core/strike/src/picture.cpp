@@ -48,12 +48,12 @@ class PictureBits {
   }
   // Those from the lowest on; any above them.
   uint32_t window() const noexcept { return window_; }
-  void drop(int32_t width) noexcept {
+  __attribute__((always_inline)) void drop(int32_t width) noexcept {
     window_ >>= width;
     count_ -= width;
   }
   // Of those at hand, less than kMost.
-  uint32_t take(int32_t width) noexcept {
+  __attribute__((always_inline)) uint32_t take(int32_t width) noexcept {
     const uint32_t bits = window_ & ~(~uint32_t{0} << width);
     drop(width);
     return bits;
@@ -107,11 +107,12 @@ struct BitRow {
 };
 
 // The runs of ink of up to 24 pixels, the first of them at `x`. Not inline:
-// more lies in registers.
+// more lies in registers. By kScales, pixels may be magnified.
+template <bool kScales>
 __attribute__((noinline)) void draw_runs(uint32_t bits,
                                          int32_t x,
                                          const BitRow& row) noexcept {
-  const int32_t scale = row.scale;
+  const int32_t scale = kScales ? row.scale : 1;
   while (bits != 0) {
     for (; (bits & 1) == 0; bits >>= 1) {
       x += scale;
@@ -208,11 +209,12 @@ void draw_magnified(const PictureRows& rows,
   }
 }
 
+template <bool kScales>
 void draw_rows(const PictureRows& rows,
                const Rect& box,
                int32_t scale,
                const Sink& sink) noexcept {
-  if (scale != 1) {
+  if (kScales && scale != 1) {
     draw_magnified(rows, box, scale, sink);
     return;
   }
@@ -301,39 +303,44 @@ bool find_picture(const Span<const uint8_t>& strikes,
   return true;
 }
 
+namespace {
+
 // Ink is solid: no coverage is made of it.
-void draw_bits(const Picture& picture, const Sink& sink) noexcept {
+template <bool kScales>
+void draw_bit_rows(const Picture& picture, const Sink& sink) noexcept {
   constexpr int32_t kChunk = PictureBits::kMost - 1;
-  const int32_t scale = picture.scale;
+  const int32_t scale = kScales ? picture.scale : 1;
   BitRow row = {sink, intersect(picture.box, sink.window), scale, 0, 0};
   uint32_t chunks[(kMaxSide + kChunk - 1) / kChunk];
   PictureBits bits(picture);
   for (int32_t y = picture.box.y0; y < row.shown.y1; y += scale) {
     row.y = max(y, row.shown.y0);
     row.y_end = min(y + scale, row.shown.y1);
-    bits.need(1);
-    const bool is_new = y == picture.box.y0 || bits.take(1) == 0;
+    bool is_new = true;
     uint32_t* chunk = chunks;
     int32_t x = picture.box.x0;
     for (int32_t left = picture.width; left > 0; left -= kChunk) {
       if (is_new) {
-        const int32_t count = min(left, kChunk);
-        bits.need(count);
-        *chunk = bits.take(count);
+        bits.need(kChunk + 1);
+        if (chunk == chunks && y != picture.box.y0) {
+          is_new = bits.take(1) == 0;
+        }
       }
-      draw_runs(*chunk++, x, row);
+      if (is_new) {
+        *chunk = bits.take(min(left, kChunk));
+      }
+      draw_runs<kScales>(*chunk++, x, row);
       x += kChunk * scale;
     }
   }
 }
 
-namespace {
-
 // Not inline: bits take less of the stack.
+template <bool kScales>
 __attribute__((noinline)) void draw_greys(const Picture& picture,
                                           const Sink& sink) noexcept {
   const Rect& box = picture.box;
-  const int32_t scale = picture.scale;
+  const int32_t scale = kScales ? picture.scale : 1;
   // Words begin where x is a multiple of 4.
   const int32_t before = box.x0 & 3;
   const int32_t stride = (before + picture.width + 3) & ~3;
@@ -353,7 +360,7 @@ __attribute__((noinline)) void draw_greys(const Picture& picture,
     to += stride;
     y += scale;
     if (to - before > last || y >= y_end) {
-      draw_rows({first, stride, from, y}, box, scale, sink);
+      draw_rows<kScales>({first, stride, from, y}, box, scale, sink);
       to = first;
       from = y;
     }
@@ -362,8 +369,17 @@ __attribute__((noinline)) void draw_greys(const Picture& picture,
 
 }  // namespace
 
+void draw_bits(const Picture& picture, const Sink& sink) noexcept {
+  draw_bit_rows<true>(picture, sink);
+}
 void draw_picture(const Picture& picture, const Sink& sink) noexcept {
-  (picture.bits == 1 ? draw_bits : draw_greys)(picture, sink);
+  (picture.bits == 1 ? draw_bit_rows<true> : draw_greys<true>)(picture, sink);
+}
+void draw_bits_as_is(const Picture& picture, const Sink& sink) noexcept {
+  draw_bit_rows<false>(picture, sink);
+}
+void draw_picture_as_is(const Picture& picture, const Sink& sink) noexcept {
+  (picture.bits == 1 ? draw_bit_rows<false> : draw_greys<false>)(picture, sink);
 }
 
 bool draw_found(const Span<const uint8_t>& strikes,

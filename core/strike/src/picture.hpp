@@ -57,6 +57,9 @@ bool find_picture(const Span<const uint8_t>& strikes,
 using DrawPicture = void(const Picture& picture, const Sink& sink) noexcept;
 DrawPicture draw_bits;
 DrawPicture draw_picture;
+// The same where none is magnified.
+DrawPicture draw_bits_as_is;
+DrawPicture draw_picture_as_is;
 
 // Finds and draws. False: there is no picture.
 bool draw_found(const Span<const uint8_t>& strikes,
