@@ -105,6 +105,8 @@ class Api:
                                            for name in names.split())
         elif word == "header":
             self.begin_header(rest + "".join(tail))
+        elif word == "source" and not tail:
+            self.source = f"{rest}.cpp"
         elif word == "each":
             self.each = rest.split()
         elif word in ("struct", "shared", "opaque"):

@@ -25,8 +25,8 @@
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
 # needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
-# strike, c (which needs cache, field, layout, motion and display). Set it before the include; by default
-# it is pixel and display.
+# strike, c (which needs cache, field, layout, motion, strike and display). Set it before the include; by
+# default it is pixel and display.
 #
 # The interface for C is made in $(INKCELL_BUILD)/port/c by $(INKCELL_PYTHON), before
 # Make goes on. A release and an installation have it made.
@@ -40,7 +40,7 @@ ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
     $(INKCELL_LIBRARIES)); there are $(INKCELL_KNOWN))
 endif
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache field layout motion display
+  override INKCELL_LIBRARIES += cache field layout motion strike display
 endif
 ifneq ($(filter simulation,$(INKCELL_LIBRARIES)),)
   override INKCELL_LIBRARIES += motion

@@ -68,6 +68,7 @@ GENERATOR = {
 
 # Sources of core that are a part of another header, linked apart.
 OF_OTHER_HEADERS = {
+    "core/src/effects/level_rules.cpp": "inkcell/few_levels.hpp",
     "core/src/font/code_points.cpp": "inkcell/font.hpp",
     "core/src/rows/area_painter.cpp": "rows/band.hpp",
     "core/src/rows/cover_areas.cpp": "rows/band.hpp",

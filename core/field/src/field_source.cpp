@@ -6,6 +6,7 @@
 #include "inkcell/format/rom.hpp"
 #include "rows/source.hpp"
 
+#ifndef INKCELL_ONLY_STRIKES
 namespace inkcell {
 namespace detail {
 namespace {
@@ -59,18 +60,16 @@ constexpr Source kSingleFieldSource = {prepare_single,     load_none,
                                        SourceKind::fields, nullptr};
 
 }  // namespace
-#ifndef INKCELL_ONLY_STRIKES
+
 // Bring the objects of what draws fields on canvases of few levels, and of
 // coverage from areas. Nobody reads them, so that the linker drops them.
 extern const LevelRule* const kFieldRules[];
 const LevelRule* const kFieldRules[] = {&kTwoLevelRule, &kFourLevelRule};
 extern decltype(cover_areas)* const kFieldCover;
 decltype(cover_areas)* const kFieldCover = cover_areas;
-#endif
 
 }  // namespace detail
 
-#ifndef INKCELL_ONLY_STRIKES
 const Coding kFieldCoding = {static_cast<uint8_t>(format::Coding::field),
                              &detail::kFieldSource};
 
@@ -86,7 +85,6 @@ void draw_field(const GlyphField& field,
         workspace);
   }
 }
-#endif
 
 Rect field_box(const GlyphField& field,
                const Style& style,
@@ -125,3 +123,4 @@ void distance_row(const GlyphField& field,
 }
 
 }  // namespace inkcell
+#endif

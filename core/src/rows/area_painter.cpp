@@ -21,6 +21,7 @@
 #include "rows/contours.hpp"
 #include "rows/reciprocal.hpp"
 
+#ifndef INKCELL_ONLY_STRIKES
 namespace inkcell::detail {
 namespace {
 
@@ -187,9 +188,9 @@ __attribute__((noinline)) void paint_upright(const Band& band,
 }
 
 // `count` rows that a line passes from top to bottom. [px, Q16]
-#if !defined(__OPTIMIZE_SIZE__)
+#  if !defined(__OPTIMIZE_SIZE__)
 __attribute__((noinline))
-#endif
+#  endif
 void paint_full_rows(const Band& band,
                      uint8_t* row,
                      int32_t count,
@@ -386,7 +387,6 @@ struct AreaPainter {
 
 }  // namespace
 
-#ifndef INKCELL_ONLY_STRIKES
 void paint_areas(const Band& band,
                  OutlineCursor& cursor,
                  const ScreenPoint* points,
@@ -395,6 +395,6 @@ void paint_areas(const Band& band,
   walk_contours(band, cursor.first_edge(), cursor.is_bent, points, end,
                 painter);
 }
-#endif
 
 }  // namespace inkcell::detail
+#endif

@@ -2,6 +2,7 @@
 as include folder, and a core that is played. check_arduino.py has the rest."""
 import sys
 
+from packages.consumer import STRIKES_IN_C
 from packages.two_files import build_strikes, compile_all, link
 from toolchains import ROOT, call, make_font
 
@@ -34,4 +35,4 @@ def build(work, _, fontgen):
             "arduino, strikes": build_strikes(
                 folder / "strikes", "Inkcell.h",
                 [*FLAGS, f"-I{library / 'src'}", f"-I{CORE}"],
-                [archive, objects[-1]])}
+                [archive, objects[-1]], {"C": STRIKES_IN_C})}

@@ -46,6 +46,26 @@ int main() {
   return static_cast<int>(status);
 }
 """
+STRIKES_IN_C = """#include <inkcell/inkcell.h>
+
+extern uint8_t pixels[1024];
+uint8_t pixels[1024];
+extern const uint8_t font_bytes[4];
+alignas(4) const uint8_t font_bytes[4] = {};
+
+int main() {
+  inkcell_font_t font;
+  inkcell_font_open_bit_strike(font_bytes, 4, &font);
+  inkcell_style_t style;
+  inkcell_style_make(12 * 64, &inkcell_filter_area, &style);
+  inkcell_mono_pages_target_t screen = {{pixels, 1024, 0, 0, 128, 64, 128, 0}, 128, 1};
+  inkcell_sink_t sink;
+  inkcell_mono_pages_sink(&screen, &sink);
+  inkcell_painter_t painter = {};
+  painter.sink = &sink;
+  inkcell_draw_text(&painter, &font, "12:34", 5, &style, 4 * 64, 28 * 64);
+}
+"""
 STRIKE_CANVASES = ("MonoPages", "MonoRows", "Grey2")
 OUTLINES = ("OutlineReader", "paint_areas", "cover_areas", "kFitTwoLevels",
             "kFitFourLevels", "LevelRule", "kFewLevelsMixer")

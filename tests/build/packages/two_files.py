@@ -29,24 +29,26 @@ def link(program, objects):
     return size_of(program)
 
 
-def build_strikes(folder, header, options, library):
+def build_strikes(folder, header, options, library, more=None):
     """Bytes of code of the programs of strikes alone that are linked with the library,
-    by canvas; they must have nothing of outlines."""
+    by canvas, and of `more` by name; they must have nothing of outlines."""
     folder.mkdir(parents=True, exist_ok=True)
-    sources = []
-    for canvas in STRIKE_CANVASES:
-        sources.append(folder / f"{canvas}.cpp")
-        sources[-1].write_text(STRIKES.replace("@HEADER@", header)
-                               .replace("@CANVAS@", f"{canvas}Canvas"))
+    programs = {canvas: STRIKES.replace("@HEADER@", header)
+                .replace("@CANVAS@", f"{canvas}Canvas")
+                for canvas in STRIKE_CANVASES} | (more or {})
+    for name, text in programs.items():
+        (folder / f"{name}.cpp").write_text(text)
+    parts = compile_all(folder, [folder / f"{name}.cpp" for name in programs], options)
     sizes = {}
-    for canvas, part in zip(STRIKE_CANVASES, compile_all(folder, sources, options)):
-        program = folder / canvas
+    for name, part in zip(programs, parts):
+        program = folder / name
         link(program, [part, *library])
-        names = call("arm-none-eabi-nm", "-C", program)
-        for name in OUTLINES:
-            if name in names:
-                finish(0, [f"{program}: {name} is linked, which strikes do not need"])
-        sizes[canvas] = code_of(program)
+        symbols = call("arm-none-eabi-nm", "-C", program)
+        for symbol in OUTLINES:
+            if symbol in symbols:
+                finish(0, [f"{program}: {symbol} is linked, which strikes do not "
+                           "need"])
+        sizes[name] = code_of(program)
     return sizes
 
 
@@ -67,8 +69,9 @@ def build(work, _, fontgen):
     # Every compiler takes them, with all warnings.
     in_parallel(call, [
         (*command, *DEVICE_FLAGS, *STRICT, "-Os", "-c", library / "inkcell.cpp",
-         "-o", folder / f"{machine}.o")
-        for machine, (command, _) in COMPILERS.items()])
+         *more, "-o", folder / f"{machine}{len(more)}.o")
+        for machine, (command, _) in COMPILERS.items()
+        for more in ([], ["-DINKCELL_ONLY_STRIKES"])])
     objects = compile_all(folder / "objects",
                           [library / "inkcell.cpp", folder / "main.cpp",
                            folder / "readme.cpp"],
@@ -76,7 +79,7 @@ def build(work, _, fontgen):
     # A program of C, and one of C++ that has no inkcell.h.
     (folder / "in_c.c").write_text(IN_C)
     call(*c_compiler("host"), "-no-pie", f"-I{library}", folder / "in_c.c",
-         folder / "host.o", "-o", folder / "in_c")
+         folder / "host0.o", "-o", folder / "in_c")
     (library / "inkcell.h").unlink()
     without_c = compile_all(folder / "without_c", [library / "inkcell.cpp"],
                             [*DEVICE_FLAGS])
