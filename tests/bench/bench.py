@@ -73,6 +73,7 @@ WHAT = {
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
     "cache": "glyphs that a cache holds, and bitmaps of 4 bits",
+    "strike": "strikes, alone and beside outlines, and those outlines",
     "field": "fields generated from outlines",
     "moving": "type that moves: morphs, particles, scenes",
     "bound": "the dearest glyph of an em that bytes can describe",
@@ -81,7 +82,7 @@ WHAT = {
 }
 # Codings whose smallest programs the document has.
 SMALLEST = ("outline", "field")
-SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
+SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "strike", "code"]
 # What programs keep of the library: kept.cpp.
 KEPT = ("glyphs", "area", "text", "matrix", "all_formats")
 # Cores that are measured at -Os, too, for the document: the others are alike.
@@ -102,6 +103,8 @@ MOST_WITHOUT_RAM = 1.9
 STACK_WITHOUT_RAM = {"grey2": 1924, "mono_rows": 1924, "mono_pages": 1924}
 OTHER_STACK_WITHOUT_RAM = 1476
 DIGITS = ("48", "57")
+# Fonts of strikes alone, one for each, and beside outlines. [px, bits]
+STRIKES = [(px, bits) for px in (12, 24) for bits in (1, 4)]
 # Generated fields: half width of the band, tolerances. [u, 1/1024 u]
 BAND = "32"
 TOLERANCES = ("512", "1024", "2048")
@@ -244,6 +247,8 @@ class Fonts:
                     made = f"{name}-{coding}.bin"
                     wanted[made] = (font, ["--coding", coding])
                     self.files[font, "inkcell", coding] = made
+                if "strike" in arguments.what and not arguments.against:
+                    wanted.update(self.strikes(font, name))
             if set(arguments.engines) & {"freetype", "stb"}:
                 made = self.folder / (name + ".ttf")
                 peers.make_subset(font, made, build)
@@ -251,6 +256,15 @@ class Fonts:
                     self.files[font, engine, None] = made.name
         if wanted:
             self.generate(find_fontgen(arguments, build), wanted)
+
+    def strikes(self, font, name):
+        """Fonts of strikes alone and beside outlines, and how each is made."""
+        options = [f"--strike={px}:{bits}" for px, bits in STRIKES]
+        wanted = {f"{name}-strikes.bin": (font, options)}
+        for (px, bits), strike in zip(STRIKES, options):
+            wanted[f"{name}-strike-{px}-{bits}.bin"] = (
+                font, [strike, "--strike-only"])
+        return wanted
 
     def generate(self, fontgen, wanted):
         def make(made, source):
@@ -477,6 +491,31 @@ def measure_cache(firmware, sizes, font, about):
                "ram": held["workspace"]}
 
 
+def measure_strikes(firmware, font):
+    """Strikes alone, beside outlines, and the outlines whose pictures they are."""
+    name = re.sub(r"[^\w.-]", "_", font.stem)
+    for px, bits in STRIKES:
+        canvas = "pages" if bits == 1 else "a8"
+        inks = []
+        for way in report.STRIKE_WAYS:
+            file = (f"{name}-strike-{px}-{bits}.bin" if way == "alone"
+                    else f"{name}-strikes.bin")
+            prefix = "" if way == "alone" else f"{way}_"
+            (_, numbers), = firmware.run("strike", file, prefix + canvas, *ASCII,
+                                         str(px))
+            _, _, mean, most, stack, heap, workspace, ink, _ = numbers
+            inks.append(ink)
+            yield {"figure": "strike", "cpu": firmware.cpu, "opt": firmware.opt,
+                   "font": font.stem, "way": way, "bits": bits, "px": px,
+                   "instructions_mean": mean, "instructions_max": most,
+                   "stack": stack, "heap": heap, "workspace": workspace,
+                   "font_bytes": firmware.fonts.bytes(file)}
+        # Pictures of 1 bit are those of outlines.
+        if max(inks) > (1 if bits == 1 else 1.01) * min(inks):
+            sys.exit(f"bench: {font.stem}, {px} px, {bits} bits: strikes do not "
+                     f"draw what outlines draw: {inks}")
+
+
 def measure_canvases(firmware, font):
     """A line of text into each canvas, in C++ and in C."""
     name = firmware.fonts.files[font, "inkcell", "outline"]
@@ -625,6 +664,11 @@ def measure_others(firmware, arguments, upright, pictures):
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
                 yield from measure_fields(firmware, font)
+    if "strike" in arguments.what and not arguments.against:
+        for font in arguments.font:
+            if (font, "inkcell", "outline") in firmware.fonts.files and (
+                    not is_rom_font(font)):
+                yield from measure_strikes(firmware, font)
     if "canvases" in arguments.what and firmware.opt == "O2" and (
             not arguments.write_docs or firmware.cpu in MODE_CPUS):
         for font in arguments.font:
@@ -696,8 +740,8 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets |= ({"bound", "cache", "field", "modes", "moving", "rgb565"} &
-                set(arguments.what))
+    targets |= ({"bound", "cache", "field", "modes", "moving", "rgb565",
+                 "strike"} & set(arguments.what))
     if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")
     if "canvases" in arguments.what:

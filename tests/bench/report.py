@@ -54,6 +54,12 @@ MEMORY = {
 }
 # Rows of inkcell_cache.cpp: what is held, and a bitmap font of the pictures.
 CACHE = ("cached", "bitmap")
+# Rows of inkcell_strike.cpp, by font and coding.
+STRIKE_WAYS = {
+    "alone": "strikes alone",
+    "both": "strikes beside outlines",
+    "outline": "those outlines, 2,560 B lent",
+}
 # What codings can do; measured figures stand above it.
 ABILITIES = [
     ["any size, position and matrix; kerning", "yes", "yes"],
@@ -484,6 +490,15 @@ def other_tables(figures):
         "bits a pixel takes, and the bytes of the cache:",
         lambda f: f"{thousands(f['instructions_mean'])}, "
                   f"{f['over_bitmap']:.2f}, {f['ram']}")
+    for bits, canvas in ((1, "1 bit, into pages of a display"),
+                         (4, "4 bits, into 8-bit coverage")):
+        some = [{**f, "way": STRIKE_WAYS[f["way"]]} for f in figures
+                if f["figure"] == "strike" and f["bits"] == bits]
+        text += sized_table(
+            some, "strike", f"Strikes of {canvas}, and the outlines that they "
+            "are pictures of: thousands of\ninstructions, and bytes of stack:",
+            lambda f: f"{thousands(f['instructions_mean'])}, {f['stack']}",
+            ("cpu", "opt", "font", "way"))
     text += sized_table(
         figures, "digits", "The ten digits: instructions for each pixel of the "
         "box of the ink:", lambda f: f["per_pixel"])
