@@ -10,6 +10,7 @@ the sizes, for the table of docs/DISPLAY.md.
 Usage: check_examples.py WORK_FOLDER FONTGEN PROGRAM...
 """
 import json
+import pathlib
 import re
 
 from toolchains import ARM, ROOT, arguments, call, finish, require, run
@@ -18,6 +19,8 @@ import limits
 EXAMPLES = ROOT / "port/display/examples"
 TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
 QEMU = ROOT / "boards/common/qemu_run.sh"
+# Programs that are linked, not run.
+SMALL = ("least_oled.cpp", "least_strike.cpp", "thermometer.c")
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
 
@@ -86,8 +89,10 @@ def main():
          f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}", "-DCMAKE_BUILD_TYPE=MinSizeRel",
          f"-DINKCELL_FONTGEN={fontgen}")
     call("cmake", "--build", work, "--target",
-         *(program.name for program in programs), "least_oled")
-    figures = {"least_oled.cpp": sizes_of(work / "least_oled.elf")}
+         *(program.name for program in programs),
+         *(pathlib.Path(source).stem for source in SMALL))
+    figures = {source: sizes_of(work / f"{pathlib.Path(source).stem}.elf")
+               for source in SMALL}
     screens = {}
     for program in programs:
         problems += check(program, work, screens, figures)
