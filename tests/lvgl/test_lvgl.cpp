@@ -14,6 +14,7 @@
 #include "inkcell/text.hpp"
 #include "lvgl.h"
 #include "screen.hpp"
+#include "small_strike.hpp"
 
 namespace {
 
@@ -90,6 +91,60 @@ TEST(wrong_fonts_are_refused) {
   CHECK(!make_font(font, 3 * 64));
   CHECK(!make_font(font, 1025 * 64));
   CHECK_EQ(memcmp(&font, &before, sizeof font), 0);
+}
+
+TEST(strikes_alone_are_pictures) {
+  alignas(4) static uint8_t rom[2048];
+  const size_t size = small_strike::build(small_strike::kGlyphs, rom);
+  inkcell_lv_font_t font;
+  CHECK_EQ(inkcell_lv_font_init(&font, rom, size, 8 * 64), LV_RESULT_INVALID);
+  CHECK_EQ(inkcell_lv_font_init_outline_strike(&font, rom, size, 8 * 64, true),
+           LV_RESULT_INVALID);
+  CHECK_EQ(inkcell_lv_font_init_strike(&font, rom, size, 9 * 64),
+           LV_RESULT_INVALID);
+  const Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, kHeight);
+  strike_font::Values wanted;
+  small_strike::draw_glyph(2, wanted);
+  for (int32_t scale = 1; scale != 3; ++scale) {
+    CHECK_EQ(inkcell_lv_font_init_strike(&font, rom, size, scale * 8 * 64),
+             LV_RESULT_OK);
+    lv_font_glyph_dsc_t glyph = {};
+    CHECK(lv_font_get_glyph_dsc(&font.lv, &glyph, 'B', 0));
+    CHECK_EQ(glyph.adv_w, 7 * scale);
+    CHECK_EQ(glyph.box_w, wanted.width * scale);
+    CHECK_EQ(glyph.box_h, wanted.height * scale);
+    CHECK_EQ(glyph.ofs_y, 0);
+    lv_draw_buf_t* const buffer =
+        lv_draw_buf_create(glyph.box_w, glyph.box_h, LV_COLOR_FORMAT_A8, 0);
+    CHECK(font.lv.get_glyph_bitmap(&glyph, buffer) == buffer);
+    for (int32_t y = 0; y != glyph.box_h; ++y) {
+      for (int32_t x = 0; x != glyph.box_w; ++x) {
+        const size_t at = static_cast<size_t>(y) * buffer->header.stride +
+                          static_cast<size_t>(x);
+        CHECK_EQ(buffer->data[at],
+                 wanted.at[y / scale][x / scale] != 0 ? 255 : 0);
+      }
+    }
+    lv_draw_buf_destroy(buffer);
+  }
+}
+
+// The style that strikes serve draws a font that has none of its outlines.
+TEST(strikes_beside_outlines_take_a_fitted_style) {
+  inkcell_lv_font_t plain;
+  CHECK(make_font(plain, 12 * 64));
+  const Picture unfitted =
+      draw(plain, false, LV_COLOR_FORMAT_L8, kHeight, text(kText));
+  Picture drawn[2];
+  for (int i = 0; i != 2; ++i) {
+    inkcell_lv_font_t font;
+    CHECK_EQ(inkcell_lv_font_init_outline_strike(
+                 &font, fonts::lv_sans, sizeof fonts::lv_sans, 12 * 64, i != 0),
+             LV_RESULT_OK);
+    drawn[i] = draw(font, false, LV_COLOR_FORMAT_L8, kHeight, text(kText));
+    CHECK(count_other(drawn[i], unfitted) > 100);
+  }
+  CHECK(count_other(drawn[0], drawn[1]) > 100);
 }
 
 TEST(advances_are_kerned_and_rounded) {

@@ -51,6 +51,20 @@ inline FontState& state_of(inkcell_lv_font_t& font) noexcept {
   return *reinterpret_cast<FontState*>(font.state);
 }
 
+/// Opens a font of a coding. False: it is none, or the size is out of range.
+inline bool open_font(const void* rom,
+                      size_t rom_bytes,
+                      const Coding& coding,
+                      int32_t size_q6,
+                      Font& out) noexcept {
+  return Font::open({static_cast<const uint8_t*>(rom), rom_bytes}, coding,
+                    out) == Status::ok &&
+         size_q6 >= kMinSize.raw && size_q6 <= kMaxSize.raw;
+}
+
+/// Makes LVGL's font of a state whose font is open, and whose style is set.
+void begin_font(const FontState& state, inkcell_lv_font_t& font) noexcept;
+
 /// The state of one of our fonts; null for other fonts.
 const FontState* state_of(const lv_font_t* font) noexcept;
 

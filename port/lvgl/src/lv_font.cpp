@@ -146,26 +146,14 @@ const FontState* state_of(const lv_font_t* font) noexcept {
              : nullptr;
 }
 
-}  // namespace inkcell::port
-
-lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
-                                 const void* rom,
-                                 size_t rom_bytes,
-                                 int32_t size_q6) {
-  using namespace inkcell;
-  port::FontState state;
-  if (Font::open({static_cast<const uint8_t*>(rom), rom_bytes}, state.font) !=
-          Status::ok ||
-      size_q6 < kMinSize.raw || size_q6 > kMaxSize.raw) {
-    return LV_RESULT_INVALID;
-  }
-  state.style = Style(Q26_6::from_raw(size_q6), kFilterText);
+void begin_font(const FontState& state, inkcell_lv_font_t& font) noexcept {
   lv_font_t lv = {};
-  lv.get_glyph_dsc = port::get_glyph_dsc;
-  lv.get_glyph_bitmap = port::get_glyph_bitmap;
-  lv.dsc = font->state;
-  port::set_metrics(state, lv);
-  font->lv = lv;
-  port::state_of(*font) = state;
-  return LV_RESULT_OK;
+  lv.get_glyph_dsc = get_glyph_dsc;
+  lv.get_glyph_bitmap = get_glyph_bitmap;
+  lv.dsc = font.state;
+  set_metrics(state, lv);
+  font.lv = lv;
+  state_of(font) = state;
 }
+
+}  // namespace inkcell::port

@@ -15,6 +15,7 @@
 #ifndef INKCELL_LVGL_H
 #define INKCELL_LVGL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -77,6 +78,23 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
                                  const void* rom,
                                  size_t rom_bytes,
                                  int32_t size_q6);
+
+/** The same of a font of strikes alone, pictures of glyphs at one size, which
+ * `size_q6` is, or a whole multiple of it; else LV_RESULT_INVALID. Such a font
+ * is not fitted, and has no weight and no sub-pixels. */
+lv_result_t inkcell_lv_font_init_strike(inkcell_lv_font_t* font,
+                                        const void* rom,
+                                        size_t rom_bytes,
+                                        int32_t size_q6);
+
+/** The same of outlines with strikes of 4 bits beside them, in the style that
+ * those serve: fitted to the grid of pixels, heights alone unless `across`.
+ * Glyphs without a picture at that size are drawn from their outlines. */
+lv_result_t inkcell_lv_font_init_outline_strike(inkcell_lv_font_t* font,
+                                                const void* rom,
+                                                size_t rom_bytes,
+                                                int32_t size_q6,
+                                                bool across);
 
 /** Draws glyphs straight into LVGL's layer, a strip or a screen, in LVGL's
  * colour formats and opacities, without a buffer for a glyph: for large sizes.
