@@ -11,7 +11,8 @@ namespace inkcell::detail {
 // A band's words of four pixels to coverage, row by row. `first`: as Words are
 // at the beginning of each.
 template <typename Words>
-inline void cover_words(const Band& band, const Words& first) noexcept {
+__attribute__((always_inline)) inline void cover_words(
+    const Band& band, const Words& first) noexcept {
   uint8_t* at = band.bytes;
   const int32_t row_bytes = band.row_bytes();
   const int32_t skipped = band.stride - row_bytes;
