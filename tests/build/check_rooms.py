@@ -300,7 +300,7 @@ def main():
     files = core_files()
     houses = [House("core/src", CORE, ["base", *PUBLIC]),
               House("fonts_gen/src", GENERATOR,
-                    ["base", "inkcell/field", "inkcell/stored",
+                    ["base", "inkcell/field", "inkcell/stored", "inkcell/strike",
                      *PUBLIC])]
     problems = (check_public() + check_libraries() + check_lengths(files) +
                 check_pairs(files))

@@ -393,6 +393,7 @@ Font strikes_alone(uint8_t bits, uint16_t px = 10) {
   Font font;
   CHECK_EQ(Font::open({rom, size}, font), Status::unsupported);
   CHECK_OK(Font::open({rom, size}, kStrikeCoding, font));
+  CHECK_OK(font.verify());
   CHECK_OK(verify_strikes(font));
   return font;
 }

@@ -152,6 +152,11 @@ bool metrics_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
 }
 
 // Records lie one after the other behind the offsets.
+// Fonts of strikes alone have none.
+bool has_records(Span<const uint8_t> section) noexcept {
+  return section[format::glyphs::kOffsetBits] != 0;
+}
+
 bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   namespace glyphs = format::glyphs;
   const uint32_t width = section[glyphs::kOffsetBits];
@@ -353,7 +358,8 @@ Status Font::verify() const noexcept {
       !metrics_fit(metrics_table(), glyph_count_) ||
       (kerning_table().size != 0 &&
        !KerningCheck().fits(kerning_table(), glyph_count_)) ||
-      !offsets_fit(glyph_table(), glyph_count_) ||
+      (has_records(glyph_table()) &&
+       !offsets_fit(glyph_table(), glyph_count_)) ||
       !morphs_fit(section(format::section::kMorphs), glyph_count_)) {
     return Status::corrupt;
   }

@@ -51,8 +51,8 @@ const std::pair<const char*, std::vector<const char*>> kGroups[] = {
      {"--merge", "--svg", "--svg-dir", "--svg-height", "--svg-baseline"}},
     {"Sizes and quality",
      {"--min-px", "--max-px", "--tolerance", "--best-effort", "--budget",
-      "--hints", "--morph", "--band-px", "--coding", "--predicate", "--effort",
-      "--paged"}},
+      "--strike", "--strike-only", "--hints", "--morph", "--band-px",
+      "--coding", "--predicate", "--effort", "--paged"}},
     {"Reports and builds",
      {"--report", "--preview", "--depfile", "--part", "--built", "--threads",
       "--quiet"}}};

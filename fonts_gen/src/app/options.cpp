@@ -1,6 +1,7 @@
 #include "app/options.hpp"
 
 #include <charconv>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,40 @@ double parse_tolerance(const std::string& text) {
                                    "or 16/255");
   }
   return value;
+}
+
+StrikeTarget parse_strike(const std::string& text) {
+  StrikeTarget strike;
+  const char* end = text.data() + text.size();
+  const auto size = std::from_chars(text.data(), end, strike.px);
+  const auto bits = size.ptr != end && *size.ptr == ':'
+                        ? std::from_chars(size.ptr + 1, end, strike.bits)
+                        : size;
+  const std::string fit(bits.ptr, end);
+  using Fit = format::StrikeFit;
+  const std::map<std::string, Fit> fits = {{"", Fit::both},
+                                           {":both", Fit::both},
+                                           {":vertical", Fit::heights},
+                                           {":none", Fit::none}};
+  const bool is_known = fits.count(fit) != 0 && strike.px >= 4 &&
+                        strike.px <= 255 &&
+                        (strike.bits == 1 || strike.bits == 2 ||
+                         (strike.bits == 4 && bits.ec == std::errc()));
+  if (!is_known) {
+    throw CLI::ValidationError(
+        "--strike", "'" + text +
+                        "' is not SIZE:BITS or SIZE:BITS:FIT; write 12:1, "
+                        "with 4 to 255 px/em, 1, 2 or 4 bits, and none, "
+                        "vertical or both");
+  }
+  strike.fit = fits.at(fit);
+  if (strike.fit == Fit::heights && strike.bits < 4) {
+    throw CLI::ValidationError(
+        "--strike", "'" + text +
+                        "': canvases of 1 and 2 bits fit both ways; write "
+                        "both or none, or 4 bits");
+  }
+  return strike;
 }
 
 GlyphPart parse_part(const std::string& text) {
@@ -179,6 +214,21 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
          "For storage that is not mapped, such as an SD card: blocks of "
          "so many bytes, which StoredFont reads")
       ->type_name("512|1024|2048|4096");
+  take_one(app.add_option_function<std::vector<std::string>>(
+               "--strike",
+               [&request](const std::vector<std::string>& strikes) {
+                 for (const std::string& text : strikes) {
+                   request.strikes.push_back(parse_strike(text));
+                 }
+               },
+               "Also pictures of all glyphs, which draw one size at a "
+               "bitmap's cost: 12:1, or 16:4:vertical, is px/em, bits of a "
+               "pixel (1, 2, 4), and what is fitted to pixels [both]; "
+               "repeatable"))
+      ->type_name("SIZE:BITS[:none|vertical|both]");
+  app.add_flag("--strike-only", request.strike_only,
+               "Pictures of the one --strike alone, without outlines: drawn "
+               "at that size and whole multiples");
   app.add_option("--effort", target.effort,
                  "(field) How hard to try for fewer bytes; outlines have no "
                  "use for it")

@@ -11,6 +11,9 @@ namespace inkcell::gen {
 /// Parses a tolerance, "16/255" or "16". Throws CLI::ValidationError.
 double parse_tolerance(const std::string& text);
 
+/// Parses "12:1", "16:4:vertical". Throws CLI::ValidationError.
+StrikeTarget parse_strike(const std::string& text);
+
 /// Parses a part of the glyphs, "0/4". Throws CLI::ValidationError.
 GlyphPart parse_part(const std::string& text);
 

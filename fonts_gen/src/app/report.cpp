@@ -68,7 +68,9 @@ double rounded(double value) {
 }
 
 const char* coding_name(const Target& options) {
-  return options.coding == Coding::outline ? "outline" : "field";
+  return options.coding == Coding::outline ? "outline"
+         : options.coding == Coding::field ? "field"
+                                           : "strike";
 }
 
 std::string outlines_line(const FontReport& report) {
@@ -203,6 +205,9 @@ std::string report_for_people(const FontReport& report) {
   if (bytes.morphs != 0) {
     part("morphs", bytes.morphs);
   }
+  if (bytes.strikes != 0) {
+    part("strikes", bytes.strikes);
+  }
   part("glyphs", bytes.glyphs);
   part("name", bytes.name);
   part("total", bytes.total());
@@ -278,8 +283,8 @@ std::string report_as_json(const FontReport& report) {
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
-                   {"morphs", bytes.morphs},   {"glyphs", bytes.glyphs},
-                   {"name", bytes.name}};
+                   {"morphs", bytes.morphs},   {"strikes", bytes.strikes},
+                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;
   json["composite_bytes"] = report.composite_bytes;

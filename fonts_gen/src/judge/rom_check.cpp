@@ -8,10 +8,11 @@
 
 #include "base/error.hpp"
 #include "inkcell/field/cell.hpp"
-#include "inkcell/field/draw.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "inkcell/strike/verify.hpp"
+#include "judge/strike_pictures.hpp"
 #include "rom/rom_font.hpp"
 
 namespace inkcell::gen {
@@ -257,12 +258,16 @@ bool read_bytes(void* context,
 void check_rom_font(const std::vector<uint8_t>& bytes,
                     const RomContent& content) {
   Font font;
-  const Status opened = open_any_font({bytes.data(), bytes.size()}, font);
+  const Status opened = open_font(bytes, font);
   if (opened != Status::ok) {
     differ(content, "that the device does not open it (status " +
                         std::to_string(static_cast<int>(opened)) + ")");
   }
-  const Status verified = verify_fields(font);
+  const Status strikes = verify_strikes(font);
+  const bool is_field = content.options.coding == Coding::field;
+  const Status verified = strikes != Status::ok ? strikes
+                          : is_field            ? verify_fields(font)
+                                                : font.verify();
   if (verified != Status::ok) {
     differ(content, "that the device does not verify it (status " +
                         std::to_string(static_cast<int>(verified)) + ")");
@@ -276,7 +281,7 @@ void check_rom_font(const std::vector<uint8_t>& bytes,
     check_metrics(font, glyphs.back(), content);
     if (content.options.coding == Coding::outline) {
       check_record(font, glyphs.back().id, content, code, i);
-    } else {
+    } else if (is_field) {
       check_cells(font, glyphs.back(), content);
     }
   }

@@ -10,6 +10,7 @@
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
 #include "pipeline/font_morphs.hpp"
+#include "pipeline/font_strikes.hpp"
 #include "pipeline/missing.hpp"
 #include "pipeline/unshaped.hpp"
 #include "rom/paged_font.hpp"
@@ -160,6 +161,7 @@ RomFont generate(const GenerateRequest& request) {
   add_morphs(request, font, content, rom.warnings);
   // A font promises what it holds.
   content.options.tolerance = promised_tolerance(request.target, errors);
+  add_strikes(request, font, content);
   PartBytes parts;
   if (request.paged != 0) {
     rom.bytes = write_paged_font(content, parts);

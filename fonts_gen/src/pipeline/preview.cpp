@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <string>
 
-#include "inkcell/field/draw.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/style.hpp"
 #include "judge/canvas.hpp"
+#include "judge/strike_pictures.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -73,8 +73,9 @@ Preview draw_preview(const RomFont& rom) {
   Font font;
   const int px =
       static_cast<int>(std::min(kLargestPx, rom.report.options.max_px));
-  const Style style(Q26_6::from_int(px), kFilterText);
-  if (open_any_font({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok) {
+  const bool is_strike = rom.report.options.coding == Coding::strike;
+  const Style style(Q26_6::from_int(px), is_strike ? kFilterArea : kFilterText);
+  if (open_font(rom.bytes, font) != Status::ok) {
     throw Error("the preview cannot be drawn: the device cannot read the font");
   }
   const auto& glyphs = rom.report.glyphs;

@@ -62,6 +62,7 @@ void check_request(const GenerateRequest& request) {
   const bool has_masters = has_second_master(request.axes);
   const bool is_outline = target.coding == Coding::outline;
   const bool is_paged = request.paged != 0;
+  const bool has_strikes = !request.strikes.empty();
   const std::set<int> block_sizes = {0, 512, 1024, 2048, 4096};
   const std::pair<bool, std::string> rules[] = {
       {!has_font && !has_icons,
@@ -100,6 +101,16 @@ void check_request(const GenerateRequest& request) {
       {is_paged && !request.string_files.empty(),
        "--strings: runs of glyphs are for fonts in mapped memory; leave "
        "--paged out, or shape them with another font"},
+      {!is_outline && has_strikes,
+       "--strike is of outlines; leave --coding field out"},
+      {is_paged && has_strikes,
+       "--strike needs a font in mapped memory; leave --paged out"},
+      {request.strike_only && request.strikes.size() != 1,
+       "--strike-only makes a font of one size; give one --strike, such as "
+       "--strike 12:1"},
+      {request.strike_only && (has_morphs || has_masters),
+       "--strike-only leaves no outlines that morph; leave --morph and --axis "
+       "with two values out, or --strike-only"},
       {is_outline && target.predicate == Predicate::fixed,
        "--predicate fixed is the paper's, for its cells; use --coding field"}};
   for (const auto& [is_broken, what] : rules) {

@@ -64,6 +64,10 @@ struct GenerateRequest {
   /// Bytes of a block of a font for storage that is not mapped: 512, 1024, 2048
   /// or 4096; 0: the font is for mapped memory.
   int paged = 0;
+  /// Sizes at which pictures of glyphs are in the font beside its outlines; or,
+  /// one of them, instead of those.
+  std::vector<StrikeTarget> strikes;
+  bool strike_only = false;
   /// Whether generate() throws if a glyph misses the tolerance. If not, the
   /// glyph gets its best outline, and a warning names it.
   bool tolerance_is_limit = false;

@@ -10,6 +10,7 @@
 #include "hints/grid_section.hpp"
 #include "inkcell/font.hpp"
 #include "outlines/minimal_outline.hpp"
+#include "rom/strike_section.hpp"
 #include "source/components.hpp"
 #include "source/font_source.hpp"
 #include "source/kerning.hpp"
@@ -61,7 +62,8 @@ struct RomContent {
   KerningMatrix kerning;
   FontHints hints;               // of outlines only
   std::vector<RomMorph> morphs;  // ascending by first and second
-  size_t first_master = 0;       // of the second masters; 0: there are none
+  std::vector<RomStrike> strikes;
+  size_t first_master = 0;  // of the second masters; 0: there are none
   /// A block of a paged font; 0: it lies in mapped memory. [bytes]
   size_t block_bytes = 0;
 

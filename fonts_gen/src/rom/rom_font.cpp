@@ -218,10 +218,10 @@ GlyphMetrics font_box(const RomContent& content) {
   GlyphMetrics box;
   bool first = true;
   for (const RomGlyph& glyph : content.glyphs) {
-    if (!glyph.has_ink()) {
+    const GlyphMetrics& m = glyph.metrics;
+    if (m.x_min == m.x_max) {
       continue;
     }
-    const GlyphMetrics& m = glyph.metrics;
     box.x_min = first ? m.x_min : std::min(box.x_min, m.x_min);
     box.y_min = first ? m.y_min : std::min(box.y_min, m.y_min);
     box.x_max = first ? m.x_max : std::max(box.x_max, m.x_max);
@@ -251,13 +251,14 @@ void set_range(Bytes& out, const RomContent& content) {
   const bool fixed = options.predicate == Predicate::fixed;
   set_u16(out, header::kMinPx, static_cast<unsigned>(options.min_px));
   set_u16(out, header::kMaxPx, static_cast<unsigned>(options.max_px));
+  const bool is_strike = options.coding == Coding::strike;
   out[header::kTolerance] =
-      fixed ? uint8_t{0} : static_cast<uint8_t>(options.tolerance);
+      fixed || is_strike ? uint8_t{0} : static_cast<uint8_t>(options.tolerance);
   out[header::kCoding] = static_cast<uint8_t>(options.coding);
   out[header::kPredicate] = static_cast<uint8_t>(
       fixed ? format::Predicate::fixed : format::Predicate::size_aware);
   set_u16(out, header::kBand,
-          static_cast<unsigned>(std::floor(band_u(options))));
+          is_strike ? 0 : static_cast<unsigned>(std::floor(band_u(options))));
   // What a reader may want to know before it meets a glyph.
   unsigned cells = 0;
   unsigned nodes = 0;
@@ -296,8 +297,16 @@ std::vector<FontSection> make_sections(const RomContent& content) {
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
   add(section::kGrid, 0, hints.section(), &PartBytes::hints);
   add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
-  add(section::kGlyphs, kNeeded, glyphs_section(content, hints),
-      &PartBytes::glyphs);
+  if (content.options.coding == Coding::strike) {
+    add(section::kGlyphs, kNeeded, strikes_section(content.strikes),
+        &PartBytes::strikes);
+  } else {
+    add(section::kGlyphs, kNeeded, glyphs_section(content, hints),
+        &PartBytes::glyphs);
+    add(section::kStrikes, 0,
+        content.strikes.empty() ? Bytes() : strikes_section(content.strikes),
+        &PartBytes::strikes);
+  }
   add(section::kMorphs, 0, morphs_section(content), &PartBytes::morphs);
   add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;

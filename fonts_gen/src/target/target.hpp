@@ -13,6 +13,14 @@ using format::Predicate;
 /// What glyphs are made of (docs/FORMAT.md).
 using format::Coding;
 
+/// A size at which pictures of all glyphs are made: 4..255 px/em, pixels of 1,
+/// 2 or 4 bits.
+struct StrikeTarget {
+  int px = 0;
+  int bits = 0;
+  format::StrikeFit fit = format::StrikeFit::both;
+};
+
 struct Target {
   Coding coding = Coding::field;
   /// Sizes at which the glyph will be drawn. [px/em]

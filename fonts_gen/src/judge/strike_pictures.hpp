@@ -1,0 +1,44 @@
+// Strikes as the device makes and draws them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "inkcell/font.hpp"
+#include "rom/rom_content.hpp"
+
+namespace inkcell::gen {
+
+/// Opens a font in memory, whatever its coding.
+Status open_font(const std::vector<uint8_t>& bytes, Font& out);
+
+/// What the device makes of a font of outlines at one size.
+struct DrawnStrike {
+  RomStrike strike;
+  /// Whether its advances and its kerning are whole pixels; there are none
+  /// otherwise.
+  bool is_whole = false;
+  std::vector<int> advances_px;
+  KerningMatrix kerning_px;
+};
+
+/// The first `count` glyphs of `content`, whose font `bytes` are. Glyphs for
+/// which the format has no room get no picture.
+DrawnStrike draw_strike(const RomContent& content,
+                        const std::vector<uint8_t>& bytes,
+                        const StrikeTarget& target,
+                        size_t count);
+
+/// Throws Error if the device draws other pictures of `bytes`, a font of this
+/// strike alone.
+void check_strike_alone(const RomContent& content,
+                        const std::vector<uint8_t>& bytes,
+                        const RomStrike& strike);
+
+/// Throws Error if the font of outlines and strikes `bytes` is drawn otherwise
+/// than from its outlines: at all with 1 and 2 bits, by more than 8/255 with 4.
+void check_strikes(const RomContent& content,
+                   const std::vector<uint8_t>& bytes);
+
+}  // namespace inkcell::gen

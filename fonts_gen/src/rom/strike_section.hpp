@@ -1,0 +1,25 @@
+// Strikes as the bytes of STRK, or of GLYF in fonts of strikes alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "source/picture.hpp"
+#include "target/target.hpp"
+
+namespace inkcell::gen {
+
+/// The pictures of the first glyphs of a font.
+struct RomStrike {
+  StrikeTarget target;
+  std::vector<Picture> pictures;
+};
+
+/// Whether the format has room for a picture: up to 255 x 255 pixels, of which
+/// the first is less than 128 px from the origin.
+bool is_in_format(const Picture& picture);
+
+/// The section. All pictures are in the format.
+std::vector<uint8_t> strikes_section(const std::vector<RomStrike>& strikes);
+
+}  // namespace inkcell::gen
