@@ -10,10 +10,12 @@ from typing import NamedTuple
 from grid import grid_listing, read_grid
 from outlines import OutlineFont, read_code
 from squares import read_squares, require
+from strikes import read_strikes
 
 HEADER_BYTES = 64
 SAMPLES = 0
 OUTLINE = 2
+STRIKE = 3
 
 
 class Glyph(NamedTuple):
@@ -35,13 +37,15 @@ class BitTable:
     """Numbers of stated widths without gaps, the lowest bits first."""
 
     def __init__(self, data):
-        self.bits = int.from_bytes(data, "little")
+        self.data = data
         self.size = 8 * len(data)
 
     def get(self, at, width):
         if width > 25 or at + width > self.size:
             return 0
-        return self.bits >> at & ((1 << width) - 1)
+        part = int.from_bytes(self.data[at // 8:(at + width + 7) // 8],
+                              "little")
+        return part >> at % 8 & ((1 << width) - 1)
 
 
 def signed(value, bits=16):
@@ -62,7 +66,7 @@ def read_header(data):
     glyph_count, units_per_em = struct.unpack_from("<HH", data, 20)
     header = Header(glyph_count, units_per_em, data[39],
                     *struct.unpack_from("<bBH", data, 60))
-    require(5, header.coding in (SAMPLES, OUTLINE))
+    require(5, header.coding in (SAMPLES, OUTLINE, STRIKE))
     require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
     sections = read_directory(data[:total_bytes], section_count)
     require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
@@ -232,6 +236,21 @@ class Font:
         else:
             self.glyphs = [Glyph(row, read_squares(record), [])
                            for row, record in zip(metrics, records)]
+
+
+class StrikeFont:
+    """A font of strikes alone."""
+
+    def __init__(self, data):
+        header, sections = read_header(data)
+        count = header.glyph_count
+        require(5, header.coding == STRIKE)
+        self.units_per_em = header.units_per_em
+        self.glyph_of = read_code_pages(sections.get(b"CPAG", b""), count)
+        self.glyph_of.update(read_cmap(sections.get(b"CMAP", b""), count))
+        self.kerning = read_kerning(sections.get(b"KERN", b""), count)
+        self.metrics = read_metrics(sections[b"METR"], count)
+        self.strikes = read_strikes(sections[b"GLYF"])
 
 
 def listing(font):

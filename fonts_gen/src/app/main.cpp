@@ -85,7 +85,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   GenerateRequest& request = arguments.request;
   app.add_option(
          "--font", request.font,
-         "Font file: TTF, OTF, TTC, OTC, WOFF, WOFF2; needed unless there are "
+         "Font file: TTF, OTF, TTC, OTC, WOFF, WOFF2, or a bitmap font: BDF, "
+         "PCF, .hex of Unifont, .bin of LVGL; needed unless there are "
          "icons")
       ->type_name("FILE");
   app.add_option("--text-file", request.text_files,

@@ -76,51 +76,76 @@ Rect box_px(const RomContent& content, size_t glyph, int px) {
           floor_px(-m.y_min) + 2};
 }
 
+// Font units to whole pixels.
+int px_of(int units, int px, const RomContent& content) {
+  return static_cast<int>(std::lround(static_cast<double>(units) * px /
+                                      content.metrics.units_per_em));
+}
+
 // The pairs of characters that kern by whole pixels in fitted text.
-KerningMatrix fitted_kerning(const RomContent& content,
+KerningMatrix fitted_kerning(const SourceFont& source,
+                             const RomContent& content,
                              const Font& font,
                              const Style& style,
                              const std::vector<int>& advances_px) {
-  const int size = style.size().raw / 64;
-  std::vector<std::string> texts(advances_px.size());
+  const int px = style.size().raw / 64;
+  const size_t count = advances_px.size();
+  std::vector<std::string> texts(count);
   for (const auto& [code_point, glyph] : content.glyph_of) {
-    if (glyph < texts.size()) {
-      texts[glyph] = to_utf8(code_point);
-    }
+    texts[glyph] = to_utf8(code_point);
   }
   std::vector<size_t> lefts;
   std::vector<std::vector<int16_t>> rows;
-  for (size_t left = 0; left < texts.size(); ++left) {
-    if (content.kerning.empty() || content.kerning.left_class[left] == 0) {
+  for (size_t left = 0; left < count && !content.kerning.empty(); ++left) {
+    if (content.kerning.left_class[left] == 0) {
       continue;
     }
     lefts.push_back(left);
-    rows.emplace_back(texts.size());
-    for (size_t right = 0; right < texts.size(); ++right) {
-      if (content.kerning.value(left, right) != 0) {
+    rows.emplace_back(count);
+    for (size_t right = 0; right < count; ++right) {
+      const int units = content.kerning.value(left, right);
+      int kerning_px = px_of(units, px, content);
+      if (units != 0 && !source.glyphs[left].picture.has_value()) {
         const std::string pair = texts[left] + texts[right];
         TextCursor cursor(font, {pair.data(), pair.size()}, style);
         PositionedGlyph at = {};
         while (cursor.next(at)) {
         }
-        rows.back()[right] =
-            static_cast<int16_t>(std::lround(static_cast<double>(at.x) * size /
-                                             content.metrics.units_per_em) -
-                                 advances_px[left]);
+        kerning_px = px_of(at.x, px, content) - advances_px[left];
+      }
+      rows.back()[right] = static_cast<int16_t>(kerning_px);
+    }
+  }
+  return join_classes(count, lefts, rows);
+}
+
+// Throws Error unless is_same(x, y) of all pixels.
+template <typename IsSame>
+void check_pixels(const RomContent& content,
+                  const StrikeTarget& target,
+                  size_t glyph,
+                  const Rect& area,
+                  const IsSame& is_same) {
+  for (int y = area.y0; y < area.y1; ++y) {
+    for (int x = area.x0; x < area.x1; ++x) {
+      if (!is_same(x, y)) {
+        throw Error(content.name + ": --strike " + std::to_string(target.px) +
+                    ":" + std::to_string(target.bits) +
+                    " shows another picture of glyph " + std::to_string(glyph) +
+                    "; nothing was written. This is an error of the "
+                    "generator: please report it");
       }
     }
   }
-  return join_classes(texts.size(), lefts, rows);
 }
 
-[[noreturn]] void differ(const RomContent& content,
-                         const StrikeTarget& target,
-                         size_t glyph) {
-  throw Error(content.name + ": --strike " + std::to_string(target.px) + ":" +
-              std::to_string(target.bits) + " shows another picture of glyph " +
-              std::to_string(glyph) +
-              "; nothing was written. This is an error of the generator: "
-              "please report it");
+// A picture of a bitmap font, with more bits.
+Picture deeper(Picture picture, int from_bits, int to_bits) {
+  for (uint8_t& value : picture.values) {
+    value = static_cast<uint8_t>(value * ((1 << to_bits) - 1) /
+                                 ((1 << from_bits) - 1));
+  }
+  return picture;
 }
 
 }  // namespace
@@ -132,7 +157,8 @@ Status open_font(const std::vector<uint8_t>& bytes, Font& out) {
                                        : status;
 }
 
-DrawnStrike draw_strike(const RomContent& content,
+DrawnStrike draw_strike(const SourceFont& source,
+                        const RomContent& content,
                         const std::vector<uint8_t>& bytes,
                         const StrikeTarget& target,
                         size_t count) {
@@ -146,21 +172,29 @@ DrawnStrike draw_strike(const RomContent& content,
   drawn.is_whole = style.has_whole_advances();
   for (size_t i = 0; i < count; ++i) {
     const auto glyph = static_cast<uint16_t>(i);
-    const Canvas canvas =
-        draw(font, style, glyph, target.bits, box_px(content, i, target.px));
-    const Rect& area = canvas.area();
-    Picture picture = cropped(
-        area.x0, area.y0, area.x1, area.y1,
-        [&](int x, int y) { return value_of(canvas.at(x, y), target.bits); });
-    drawn.strike.pictures.push_back(is_in_format(picture) ? std::move(picture)
-                                                          : Picture());
+    const SourceGlyph& given = source.glyphs[i];
+    Picture picture;
+    if (given.picture.has_value()) {
+      picture = deeper(*given.picture, source.pixel_bits, target.bits);
+    } else {
+      const Canvas canvas =
+          draw(font, style, glyph, target.bits, box_px(content, i, target.px));
+      picture = cropped(canvas.area(), [&](int x, int y) {
+        return value_of(canvas.at(x, y), target.bits);
+      });
+    }
+    drawn.strike.pictures.push_back(picture.is_in_format() ? std::move(picture)
+                                                           : Picture());
     if (drawn.is_whole) {
       drawn.advances_px.push_back(
-          style.fitter()->advance_px(font, style, glyph));
+          given.picture.has_value()
+              ? px_of(given.advance, target.px, content)
+              : style.fitter()->advance_px(font, style, glyph));
     }
   }
   if (drawn.is_whole) {
-    drawn.kerning_px = fitted_kerning(content, font, style, drawn.advances_px);
+    drawn.kerning_px =
+        fitted_kerning(source, content, font, style, drawn.advances_px);
   }
   return drawn;
 }
@@ -174,23 +208,14 @@ void check_strike_alone(const RomContent& content,
   const bool is_open = open_font(bytes, font) == Status::ok;
   for (size_t i = 0; i < strike.pictures.size(); ++i) {
     const Picture& picture = strike.pictures[i];
-    const Rect box = {picture.left, picture.top, picture.left + picture.width,
-                      picture.top + picture.height};
-    if (!is_open) {
-      differ(content, target, i);
-    }
+    const Rect box = picture.box();
     const Canvas canvas = draw(font, style, static_cast<uint16_t>(i), 4, box);
-    const Rect& area = canvas.area();
-    for (int y = area.y0; y < area.y1; ++y) {
-      for (int x = area.x0; x < area.x1; ++x) {
-        const bool is_in =
-            x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1;
-        const int value = is_in ? picture.at(x - box.x0, y - box.y0) : 0;
-        if (canvas.at(x, y) != value * 255 / ((1 << target.bits) - 1)) {
-          differ(content, target, i);
-        }
-      }
-    }
+    check_pixels(content, target, i, canvas.area(), [&](int x, int y) {
+      const bool is_in = x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1;
+      const int value = is_in ? picture.at(x - box.x0, y - box.y0) : 0;
+      return is_open &&
+             canvas.at(x, y) == value * 255 / ((1 << target.bits) - 1);
+    });
   }
 }
 
@@ -206,28 +231,19 @@ void check_strikes(const RomContent& content,
     const StrikeTarget& target = strike.target;
     const Style style = style_of(target);
     for (size_t i = 0; i < strike.pictures.size(); ++i) {
-      if (!is_open) {
-        differ(content, target, i);
-      }
       const auto picture = [&](const Font& font) {
         return draw(font, style, static_cast<uint16_t>(i), target.bits,
                     box_px(content, i, target.px));
       };
       const Canvas wanted = picture(outlines);
       const Canvas found = picture(both);
-      const Rect& area = wanted.area();
-      for (int y = area.y0; y < area.y1; ++y) {
-        for (int x = area.x0; x < area.x1; ++x) {
-          const bool is_same =
-              target.bits < 4
-                  ? value_of(wanted.at(x, y), target.bits) ==
-                        value_of(found.at(x, y), target.bits)
-                  : std::abs(wanted.at(x, y) - found.at(x, y)) <= kHalfLevel;
-          if (!is_same) {
-            differ(content, target, i);
-          }
-        }
-      }
+      check_pixels(content, target, i, wanted.area(), [&](int x, int y) {
+        const int a = wanted.at(x, y);
+        const int b = found.at(x, y);
+        return is_open && (target.bits < 4 ? value_of(a, target.bits) ==
+                                                 value_of(b, target.bits)
+                                           : std::abs(a - b) <= kHalfLevel);
+      });
     }
   }
 }

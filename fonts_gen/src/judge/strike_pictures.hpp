@@ -23,9 +23,11 @@ struct DrawnStrike {
   KerningMatrix kerning_px;
 };
 
-/// The first `count` glyphs of `content`, whose font `bytes` are. Glyphs for
-/// which the format has no room get no picture.
-DrawnStrike draw_strike(const RomContent& content,
+/// The first `count` glyphs of `content`, whose font `bytes` are; those of
+/// bitmap fonts as they are in `source`. Glyphs for which the format has no
+/// room get no picture.
+DrawnStrike draw_strike(const SourceFont& source,
+                        const RomContent& content,
                         const std::vector<uint8_t>& bytes,
                         const StrikeTarget& target,
                         size_t count);

@@ -346,7 +346,11 @@ RomContent build_content(SourceFont& font,
       content.glyph_of[c] = static_cast<uint16_t>(i);
     }
   }
-  if (request.hints && request.target.coding == Coding::outline) {
+  const bool has_outlines =
+      std::any_of(font.glyphs.begin(), font.glyphs.end(),
+                  [](const SourceGlyph& g) { return !g.picture.has_value(); });
+  if (request.hints && request.target.coding == Coding::outline &&
+      has_outlines) {
     content.hints = find_hints(content, request.threads);
     drop_harmful_hints(content, request.threads);
   }

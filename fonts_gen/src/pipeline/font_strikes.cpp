@@ -101,25 +101,45 @@ void check_room(const SourceFont& font,
   }
 }
 
+// Bitmap fonts have one size.
+std::vector<StrikeTarget> targets_of(const GenerateRequest& request,
+                                     const SourceFont& font) {
+  if (font.pixel_px == 0) {
+    return request.strikes;
+  }
+  const StrikeTarget own = {font.pixel_px, font.pixel_bits, StrikeFit::both};
+  const bool is_asked = !request.strikes.empty();
+  if (is_asked ? request.strikes[0].px != own.px ||
+                     request.strikes[0].bits < own.bits || !request.strike_only
+               : !font.glyphs[0].picture.has_value()) {
+    const std::string px = std::to_string(own.px);
+    throw Error(font.file_name + ": a bitmap font of " + px +
+                " px has no outlines; give --strike-only --strike " + px + ":" +
+                std::to_string(own.bits));
+  }
+  return is_asked ? request.strikes : std::vector<StrikeTarget>{own};
+}
+
 }  // namespace
 
 void add_strikes(const GenerateRequest& request,
                  const SourceFont& font,
                  RomContent& content) {
   PartBytes parts;
-  const std::vector<uint8_t> outlines = request.strikes.empty()
-                                            ? std::vector<uint8_t>()
-                                            : write_rom_font(content, parts);
+  const std::vector<StrikeTarget> targets = targets_of(request, font);
+  const bool is_alone = request.strike_only || font.pixel_px != 0;
+  const std::vector<uint8_t> outlines =
+      targets.empty() ? std::vector<uint8_t>() : write_rom_font(content, parts);
   std::vector<RomStrike> strikes;
-  for (StrikeTarget target : request.strikes) {
+  for (StrikeTarget target : targets) {
     constexpr int kFirstUnfitted = 40;  // Fit::kEnds
     target.fit = target.px < kFirstUnfitted ? target.fit : StrikeFit::none;
     const DrawnStrike drawn =
-        draw_strike(content, outlines, target, count_shown(font));
+        draw_strike(font, content, outlines, target, count_shown(font));
     RomContent made = alone(content, drawn);
     strikes.push_back(drawn.strike);
     check_strike_alone(made, write_rom_font(made, parts), strikes.back());
-    if (request.strike_only) {
+    if (is_alone) {
       check_room(font, content, strikes.back());
       content = std::move(made);
       return;

@@ -18,6 +18,7 @@
 #include "source/faces.hpp"
 #include "source/icons.hpp"
 #include "source/masters.hpp"
+#include "source/pixel_font.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -38,6 +39,42 @@ std::vector<LineText> lines_of(const std::vector<NamedString>& strings) {
     lines.push_back(string.line);
   }
   return lines;
+}
+
+// The characters of a list, or those asked for if it is empty, that a font
+// lacks.
+CharSet rest_of(const CharSet& list, CharSet& asked, const SourceFont& font) {
+  asked.insert(list.begin(), list.end());
+  CharSet rest = list.empty() ? asked : list;
+  for (const SourceGlyph& glyph : font.glyphs) {
+    for (const char32_t c : glyph.code_points) {
+      rest.erase(c);
+    }
+  }
+  return rest;
+}
+
+// Merges a face that has such characters.
+void merge_rest(SourceFont part,
+                CharSet& asked,
+                SourceFont& font,
+                Warnings& warnings) {
+  if (part.pixel_px != 0 && font.pixel_px != 0 &&
+      (part.pixel_px != font.pixel_px || part.pixel_bits != font.pixel_bits)) {
+    throw Error(part.file_name + ": has other pixels than " + font.file_name +
+                "; merge bitmap fonts of one size and depth");
+  }
+  for (SourceGlyph& glyph : part.glyphs) {
+    glyph.face += font.faces.size();
+  }
+  merge_font(std::move(part), font);
+  font.missing.clear();
+  for (const char32_t c : rest_of({}, asked, font)) {
+    if (is_missed(c)) {
+      font.missing.push_back(c);
+    }
+  }
+  renew_missing_warning(font, warnings);
 }
 
 // A distance in the form that a run keeps.
@@ -81,6 +118,57 @@ std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
   return out;
 }
 
+// All faces. Bitmap fonts come before outlines, unless those are the first.
+SourceFont load_all(const GenerateRequest& request,
+                    const FontRequest& first,
+                    const std::vector<LineText>& lines,
+                    Warnings& warnings) {
+  std::vector<MergedFace> outlines;
+  std::vector<MergedFace> pixels;
+  for (const std::string& text : request.merge) {
+    const MergedFace face = parse_merged_face(text);
+    (is_bitmap_font(face.file) ? pixels : outlines).push_back(face);
+  }
+  const bool is_pixel = is_bitmap_font(first.file);
+  if (!is_pixel && pixels.empty()) {
+    return load_faces(first, outlines, lines, request.threads, warnings);
+  }
+  if (!lines.empty() || request.paged != 0 || !request.morphs.empty() ||
+      has_second_master(request.axes) ||
+      request.target.coding != Coding::outline) {
+    throw Error(
+        "bitmap fonts have neither outlines nor shaping: leave --coding, "
+        "--strings, --morph, --paged and --axis with two values out, or those "
+        "fonts");
+  }
+  SourceFont font =
+      is_pixel ? load_pixel_font(first, warnings)
+               : load_faces(first, outlines, lines, request.threads, warnings);
+  CharSet asked = first.characters;
+  for (const MergedFace& face : pixels) {
+    FontRequest more;
+    more.file = face.file;
+    more.face = face.face;
+    more.characters = rest_of(face.characters, asked, font);
+    merge_rest(load_pixel_font(more, warnings), asked, font, warnings);
+  }
+  if (is_pixel && !outlines.empty()) {
+    FontRequest more;
+    more.file = outlines[0].file;
+    more.face = outlines[0].face;
+    more.instance = outlines[0].instance;
+    more.axes = outlines[0].axes;
+    more.with_components = true;
+    more.characters = rest_of(outlines[0].characters, asked, font);
+    outlines.erase(outlines.begin());
+    if (!more.characters.empty()) {
+      merge_rest(load_faces(more, outlines, {}, request.threads, warnings),
+                 asked, font, warnings);
+    }
+  }
+  return font;
+}
+
 SourceFont load_source(const GenerateRequest& request,
                        const std::vector<NamedString>& strings,
                        AskedCharacters& asked,
@@ -101,12 +189,7 @@ SourceFont load_source(const GenerateRequest& request,
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = true;
-    std::vector<MergedFace> more;
-    for (const std::string& face : request.merge) {
-      more.push_back(parse_merged_face(face));
-    }
-    font =
-        load_faces(first, more, lines_of(strings), request.threads, warnings);
+    font = load_all(request, first, lines_of(strings), warnings);
   }
   if (!icons.empty()) {
     add_icons(icons, request.icon_place, font);

@@ -194,13 +194,6 @@ void put_strike(const RomStrike& strike, size_t entry, Bytes& out) {
 
 }  // namespace
 
-bool is_in_format(const Picture& picture) {
-  constexpr auto kMaxSide = static_cast<int>(head::kMaxSide);
-  const auto is_place = [](int px) { return px >= -128 && px < 128; };
-  return picture.width <= kMaxSide && picture.height <= kMaxSide &&
-         is_place(picture.left) && is_place(picture.top);
-}
-
 Bytes strikes_section(const std::vector<RomStrike>& strikes) {
   Bytes out(head::kBytes + at::kBytes * strikes.size());
   set_u16(out, head::kCount, static_cast<unsigned>(strikes.size()));

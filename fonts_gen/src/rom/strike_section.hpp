@@ -15,10 +15,6 @@ struct RomStrike {
   std::vector<Picture> pictures;
 };
 
-/// Whether the format has room for a picture: up to 255 x 255 pixels, of which
-/// the first is less than 128 px from the origin.
-bool is_in_format(const Picture& picture);
-
 /// The section. All pictures are in the format.
 std::vector<uint8_t> strikes_section(const std::vector<RomStrike>& strikes);
 

@@ -99,16 +99,12 @@ bool is_letter_mark_or_digit(char32_t c) {
          category <= HB_UNICODE_GENERAL_CATEGORY_OTHER_NUMBER;
 }
 
-// Characters that layout needs beside `asked`, if the files have them.
+}  // namespace
+
 CharSet additions_to(const CharSet& asked,
                      Additions additions,
-                     const std::vector<FontFile>& files) {
+                     const std::function<bool(char32_t)>& is_in_files) {
   CharSet added;
-  const auto is_in_files = [&files](char32_t c) {
-    return std::any_of(files.begin(), files.end(), [c](const FontFile& file) {
-      return file.glyph_of(c) != 0;
-    });
-  };
   if (additions == Additions::none ||
       std::none_of(asked.begin(), asked.end(), is_in_files)) {
     return added;
@@ -133,6 +129,8 @@ CharSet additions_to(const CharSet& asked,
   }
   return added;
 }
+
+namespace {
 
 // Whether a face gives icons. Glyphs of lines without a character are forms of
 // letters.
@@ -315,6 +313,8 @@ void merge_font(SourceFont part, SourceFont& font) {
                                   : OutlineReferences());
   }
   append_kerning(part.kerning, scale, font.kerning);
+  font.pixel_px = std::max(font.pixel_px, part.pixel_px);
+  font.pixel_bits = std::max(font.pixel_bits, part.pixel_bits);
   font.file_name += ", " + part.file_name;
   font.faces.insert(font.faces.end(), part.faces.begin(), part.faces.end());
   sort_glyphs(font);
@@ -344,7 +344,11 @@ SourceFont load_faces(const FontRequest& first,
   for (const MergedFace& face : more) {
     all.insert(face.characters.begin(), face.characters.end());
   }
-  const CharSet added = additions_to(all, first.additions, files);
+  const CharSet added = additions_to(all, first.additions, [&](char32_t c) {
+    return std::any_of(files.begin(), files.end(), [c](const FontFile& file) {
+      return file.glyph_of(c) != 0;
+    });
+  });
 
   FontRequest request = first;
   request.lines = shares.front();

@@ -1,6 +1,7 @@
 // Merges several faces into one font.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "source/font_source.hpp"
@@ -26,6 +27,11 @@ SourceFont load_faces(const FontRequest& first,
                       const std::vector<LineText>& lines,
                       int jobs,
                       Warnings& warnings);
+
+/// Characters that layout needs beside `asked`, of those that a font has.
+CharSet additions_to(const CharSet& asked,
+                     Additions additions,
+                     const std::function<bool(char32_t)>& has);
 
 /// Adds the glyphs of `part`, which has one face, to `font`, scaled and shifted
 /// as the face says, without .notdef, and sorts all with sort_glyphs(). Both

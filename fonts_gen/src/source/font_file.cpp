@@ -49,8 +49,7 @@ FontFile::FontFile(const std::filesystem::path& file,
                    int face,
                    const std::vector<AxisSetting>& axes,
                    const std::string& instance)
-    : file_name_(file.filename().string()) {
-  read_bytes(file);
+    : file_name_(file.filename().string()), bytes_(read_font_file(file)) {
   if (is_web_font()) {
     unpack(face);
     face = 0;
@@ -67,7 +66,7 @@ void FontFile::refuse(const std::string& text) const {
   throw Error(file_name_ + ": " + text);
 }
 
-void FontFile::read_bytes(const std::filesystem::path& file) {
+std::vector<uint8_t> read_font_file(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
     throw Error(file.string() + ": is a folder; name a file in it");
@@ -76,10 +75,11 @@ void FontFile::read_bytes(const std::filesystem::path& file) {
     throw Error(file.string() + ": there is no such file; check its name");
   }
   std::ifstream in(file, std::ios::binary);
-  bytes_.assign(std::istreambuf_iterator<char>(in), {});
+  std::vector<uint8_t> bytes(std::istreambuf_iterator<char>(in), {});
   if (!in.is_open() || in.bad()) {
     throw Error(file.string() + ": cannot be read; check its permissions");
   }
+  return bytes;
 }
 
 bool FontFile::is_web_font() const {
@@ -124,7 +124,8 @@ size_t FontFile::find_directory(int face) const {
   }
   if (magic != 0x00010000 && magic != tag("OTTO") && magic != tag("true")) {
     refuse(
-        "is not a font; TTF, OTF, TTC, OTC, WOFF and WOFF2 files can be read");
+        "is not a font; TTF, OTF, TTC, OTC, WOFF, WOFF2, BDF, PCF, .hex of "
+        "Unifont and .bin of LVGL can be read");
   }
   return 0;
 }

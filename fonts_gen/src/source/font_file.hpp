@@ -30,6 +30,9 @@ class UnitScale {
   double to_;
 };
 
+/// The bytes of a file. Throws Error.
+std::vector<uint8_t> read_font_file(const std::filesystem::path& file);
+
 /// One face of a TTF, OTF, TTC, OTC, WOFF or WOFF2 file at one instance.
 /// FreeType and HarfBuzz return all lengths of it in font units.
 class FontFile {
@@ -78,7 +81,6 @@ class FontFile {
 
   std::string family_of(FT_Face face) const;
   std::string name_of(FT_Face face) const;
-  void read_bytes(const std::filesystem::path& file);
   bool is_web_font() const;
   void unpack(int face);
   /// Throws the Error for a file that FreeType cannot open.

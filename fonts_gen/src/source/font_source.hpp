@@ -16,6 +16,7 @@
 #include "source/icon_files.hpp"
 #include "source/kerning.hpp"
 #include "source/line_shaper.hpp"
+#include "source/picture.hpp"
 
 namespace inkcell::gen {
 
@@ -71,9 +72,10 @@ struct SourceGlyph {
   /// Of a second master: "U+0041 'A' at wght 800". It has no code points, and
   /// the source and the face of the plain glyph.
   std::string master;
-  size_t face = 0;                    // number of its file
-  Outline outline;                    // [u]
-  int advance = 0;                    // [font units]
+  size_t face = 0;                 // number of its file
+  Outline outline;                 // [u]
+  std::optional<Picture> picture;  // of a bitmap font, instead
+  int advance = 0;                 // [font units]
 
   /// How messages and reports name the glyph.
   std::string name() const;
@@ -112,6 +114,9 @@ struct SourceFont {
   CharSet added;
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;  // in order of priority
+  /// Of bitmap fonts: their size and bits of a pixel. 0: there are none.
+  int pixel_px = 0;
+  int pixel_bits = 0;
 
   /// Whether text may show a glyph; false for mere components.
   bool is_shown(size_t glyph) const {

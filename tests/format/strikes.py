@@ -1,0 +1,93 @@
+"""Strikes, read as docs/FORMAT.md states them, and fonts of strikes alone."""
+import struct
+from typing import NamedTuple
+
+from squares import require
+
+ENTRY_BYTES = 32
+
+
+class Picture(NamedTuple):
+    left: int
+    top: int
+    rows: list  # of values
+
+
+class Strike(NamedTuple):
+    px: int
+    bits: int
+    fit: int
+    pictures: dict  # by glyph; those without one are left out
+
+
+def signed_8(value):
+    return value - (value >> 7 << 8)
+
+
+class Bits:
+    """Numbers of a bit stream, the lowest bits first; zeros follow."""
+
+    def __init__(self, data):
+        self.data, self.at = data, 0
+
+    def take(self, width):
+        first, self.at = self.at, self.at + width
+        part = self.data[first // 8:(self.at + 7) // 8]
+        return (int.from_bytes(part, "little") >> first % 8
+                & (1 << width) - 1)
+
+
+def read_rows(data, width, height, bits, guesses):
+    stream = Bits(data)
+    rows = []
+    for y in range(height):
+        if y != 0 and stream.take(1):
+            rows.append(rows[-1])
+            continue
+        row = []
+        for x in range(width):
+            if bits == 1:
+                row.append(stream.take(1))
+                continue
+            left = row[-1] if row else 0
+            above = rows[-1][x] if rows else 0
+            if stream.take(1):
+                context = 4 * (left >> bits - 2) + (above >> bits - 2)
+                guess = guesses >> 2 * context & 3
+                row.append((0, (1 << bits) - 1, above, left)[guess])
+            else:
+                row.append(stream.take(bits))
+        rows.append(row)
+    return rows
+
+
+def read_strikes(data):
+    """The strikes of a section STRK, or of GLYF where they are alone."""
+    zero, count = struct.unpack_from("<HH", data)
+    require(17, zero == 0 and len(data) >= 4 + ENTRY_BYTES * count + 3)
+    require(17, data[-3:] == b"\0\0\0")
+    strikes = []
+    for i in range(count):
+        (px, bits, fit, first, glyphs, coding, *widths, left_base, top_base,
+         step, reserved, guesses, boxes, base) = struct.unpack_from(
+             "<HBBHHB5BBBHHIII", data, 4 + ENTRY_BYTES * i)
+        require(17, 4 <= px <= 255 and bits in (1, 2, 4) and fit <= 3)
+        require(17, coding == 0 and reserved == 0)
+        require(17, all(a <= b for a, b in zip(widths, (9, 9, 8, 8, 25))))
+        require(17, bits != 1 or guesses == 0)
+        table = Bits(data[boxes:])
+        rows = [[table.take(width) for width in widths]
+                for _ in range(glyphs + 1)]
+        require(17, rows[-1][:4] == [0, 0, 0, 0])
+        begins = [(base + (n * step >> 8) + row[4]) & 0xffffffff
+                  for n, row in enumerate(rows)]
+        require(17, begins == sorted(begins) and begins[-1] <= len(data) - 3)
+        pictures = {}
+        for n, (left, top, width, height, _) in enumerate(rows[:-1]):
+            if width != 0:
+                pictures[first + n] = Picture(
+                    signed_8(left_base) + left, signed_8(top_base) + top,
+                    read_rows(data[begins[n]:begins[n + 1]], width, height,
+                              bits, guesses))
+        strikes.append(Strike(px, bits, fit, pictures))
+    return strikes
