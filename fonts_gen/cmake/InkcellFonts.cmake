@@ -18,6 +18,7 @@
 #                              priority: icons.ttf:FILL=1,height=cap=0xE88A
 #     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
 #     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
+#     [STRIKE <px:bits[:none|vertical|both]>...] [STRIKE_ONLY]    pictures
 #     [LANGUAGE CXX|C] [SECTION <section of the array>]
 #     [PAGED 512|1024|2048|4096])    for storage that is not mapped
 #
@@ -33,6 +34,11 @@
 #   field     a quadtree of cells of nine distances: the field at any point
 # A target with a font of fields is linked with inkcell::field and opens it with
 # Font::open(fonts::NAME, inkcell::kFieldCoding, font).
+#
+# STRIKE 12:1 adds pictures of all glyphs at 12 px, of 1 bit, which draw that size
+# at a bitmap's cost; with STRIKE_ONLY, or of a bitmap font, there are no outlines.
+# The target is linked with inkcell::strike, and opens the font with
+# Font::open(fonts::NAME, fonts::NAME_coding, font).
 #
 # With PAGED the font is a file for an SD card, a flash chip or a file system, and
 # no array: inkcell_fonts/<target>/fonts/NAME.bin below the binary folder, which
@@ -219,8 +225,8 @@ function(inkcell_add_font target)
     HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
     SVG_BASELINE PAGED)
   set(several
-    CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR)
-  set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS)
+    CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR STRIKE)
+  set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS STRIKE_ONLY)
   cmake_parse_arguments(PARSE_ARGV 1 arg "${flags}" "${single}" "${several}")
   # A word that stands where characters do is a misspelt option.
   set(words ${arg_CHARS})
@@ -297,7 +303,8 @@ function(inkcell_add_font target)
   endforeach()
   foreach(word
       MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING HINTS PREDICATE
-      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE PAGED CHARS SET AXIS MORPH)
+      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE PAGED CHARS SET AXIS MORPH
+      STRIKE)
     _inkcell_option(option ${word})
     foreach(value IN LISTS arg_${word})
       # "=" keeps a value apart from options even if it begins with a dash.

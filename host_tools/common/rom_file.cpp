@@ -12,6 +12,8 @@
 
 #include "bytes.hpp"
 #include "inkcell/field/draw.hpp"
+#include "inkcell/strike/outline_strike.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/text.hpp"
@@ -72,7 +74,9 @@ std::string_view status_name(Status status) {
 std::string_view coding_name(const Font& font) {
   const auto coding =
       static_cast<format::Coding>(font.rom().data[format::header::kCoding]);
-  return coding == format::Coding::outline ? "outline" : "field";
+  return coding == format::Coding::outline  ? "outline"
+         : coding == format::Coding::strike ? "strike"
+                                            : "field";
 }
 
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
@@ -85,7 +89,15 @@ RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
         ": it is a font of edges, which this version cannot read; make "
         "it again by inkcell-fontgen --coding outline (unsupported)");
   }
-  const Status status = open_any_font({bytes_.data(), bytes_.size()}, font_);
+  const Span<const uint8_t> rom = {bytes_.data(), bytes_.size()};
+  Status status = open_any_font(rom, font_);
+  for (const Coding* coding : {&kOutlineStrikeCoding, &kStrikeCoding}) {
+    Font font;
+    if (Font::open(rom, *coding, font) == Status::ok) {
+      font_ = font;
+      status = Status::ok;
+    }
+  }
   if (status != Status::ok) {
     throw std::runtime_error(name + ": " + remedy(status) + " (" +
                              std::string(status_name(status)) + ")");

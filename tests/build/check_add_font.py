@@ -43,6 +43,8 @@ CASES = [
      "NO_LAYOUT_GLYPHS", ""),
     (f"app {THERE} STRINGS", "not understood: STRINGS"),
     (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
+    (f"app {THERE} STRIKE 12:1 16:4:vertical", ""),
+    (f"app {THERE} STRIKE 12:1 STRIKE_ONLY", ""),
     (f"app {THERE} PAGED 1024", ""),
     (f"app {THERE} PAGED 1000", "PAGED is 512 or 1024 or 2048 or 4096, not 1000"),
     (f"app {THERE} PAGED 1024 LANGUAGE C", "PAGED is for C++"),

@@ -36,6 +36,12 @@ FILES = {
     "DejaVuSans.ttf": FONT, "Sans.ttf": FONT, "FONT.ttf": FONT,
     "Loma.ttf": FONTS / "truetype/tlwg/Loma.ttf",
     "NotoSansCJK-Regular.ttc": FONTS / "opentype/noto/NotoSansCJK-Regular.ttc",
+    "terminus.bdf": "STARTFONT 2.1\nFONT a-iso10646-1\nSIZE 16 72 72\n"
+                    "FONTBOUNDINGBOX 8 16 0 -4\nSTARTPROPERTIES 3\n"
+                    "PIXEL_SIZE 16\nCHARSET_REGISTRY \"ISO10646\"\n"
+                    "CHARSET_ENCODING \"1\"\nENDPROPERTIES\nCHARS 1\n"
+                    "STARTCHAR A\nENCODING 65\nDWIDTH 8 0\nBBX 3 2 0 0\n"
+                    "BITMAP\n40\nE0\nENDCHAR\nENDFONT\n",
     "ui.txt": "title = Hello\n",
     "src/menu.c": 'const char* title = "Menu";\n',
     "po/zh.po": 'msgid "menu"\nmsgstr "\u83dc\u5355"\n',

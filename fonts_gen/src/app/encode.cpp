@@ -1,5 +1,6 @@
 #include "app/encode.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <initializer_list>
@@ -144,6 +145,26 @@ std::string library_includes(std::initializer_list<std::string> headers,
          "\"\n#endif\n";
 }
 
+// The header of the library with the coding of a font of strikes; else nothing.
+std::string strike_header(const FontReport& report) {
+  return report.strikes.empty() ? ""
+         : report.options.coding == Coding::strike
+             ? "inkcell/strike/strike.hpp"
+             : "inkcell/strike/outline_strike.hpp";
+}
+
+// The coding that opens a font of strikes, as code: of bits alone, if it has no
+// others.
+std::string hpp_coding(const FontReport& report, const std::string& name) {
+  const bool is_bits =
+      std::all_of(report.strikes.begin(), report.strikes.end(),
+                  [](const StrikeTarget& strike) { return strike.bits == 1; });
+  return "// For Font::open().\ninline constexpr const inkcell::Coding& " +
+         name + "_coding =\n    inkcell::k" +
+         (report.options.coding == Coding::strike ? "" : "Outline") +
+         (is_bits ? "Bit" : "") + "StrikeCoding;\n";
+}
+
 // The head of a header of C++, with the includes that it needs.
 std::string hpp_head(const RomFont& font, const std::string& c_remedy) {
   std::string out = "// " + provenance(font) +
@@ -152,7 +173,7 @@ std::string hpp_head(const RomFont& font, const std::string& c_remedy) {
                     "is for C++" +
                     c_remedy + "\"\n#endif\n\n#include <stdint.h>\n\n";
   out += library_includes({font.strings.empty() ? "" : "inkcell/shaped_run.hpp",
-                           "inkcell/version.hpp"},
+                           strike_header(font.report), "inkcell/version.hpp"},
                           "inkcell.hpp") +
          "\n";
   return out + "static_assert(inkcell::reads_format(" +
@@ -172,6 +193,7 @@ std::string encode_hpp(const RomFont& font,
          std::to_string(font.bytes.size()) + "] = {\n";
   append_bytes(out, font.bytes);
   out += "};\n";
+  out += font.report.strikes.empty() ? "" : hpp_coding(font.report, name);
   out += font.strings.empty() ? "" : hpp_strings(font, name);
   out += font.report.icons.empty() ? "" : hpp_icons(font, name);
   out += "\n}  // namespace fonts\n";

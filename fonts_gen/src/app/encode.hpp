@@ -10,7 +10,8 @@ namespace inkcell::gen {
 enum class OutputFormat { bin, hpp, c };
 
 /// The content of a font file in the given form. `name` is the identifier of
-/// the array in hpp and c; the array of hpp is fonts::<name>. The array is in
+/// the array in hpp and c; the array of hpp is fonts::<name>, and the coding
+/// of a font with strikes fonts::<name>_coding. The array is in
 /// `section` if that is not empty. A string is fonts::<name>_strings::<string>
 /// in hpp, <name>_strings_<string> in c; an icon's UTF-8 is
 /// fonts::<name>_icons::k<Icon> and <name>_icons_<Icon>. bin has neither.

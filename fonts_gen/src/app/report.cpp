@@ -187,6 +187,9 @@ std::string report_for_people(const FontReport& report) {
                      face.shift_em);
     }
   }
+  for (const StrikeTarget& strike : report.strikes) {
+    text += format("  %-16s%d px, %d bits\n", "strike", strike.px, strike.bits);
+  }
   for (const IconFile& icon : report.icons) {
     text += format("  %-16sU+%04X k", "icon",
                    static_cast<unsigned>(icon.code_point)) +
@@ -260,6 +263,11 @@ std::string report_as_json(const FontReport& report) {
   }
   for (const SourceFace& face : report.faces) {
     json["faces"].push_back(face_as_json(face));
+  }
+  for (const StrikeTarget& strike : report.strikes) {
+    json["strikes"].push_back({{"px", strike.px},
+                               {"bits", strike.bits},
+                               {"fit", static_cast<int>(strike.fit)}});
   }
   if (!report.icons.empty()) {
     Json icons = Json::object();

@@ -112,6 +112,9 @@ FontReport make_report(const SourceFont& font,
   report.added.assign(font.added.begin(), font.added.end());
   report.icons = font.icons;
   report.faces = font.faces;
+  for (const RomStrike& strike : content.strikes) {
+    report.strikes.push_back(strike.target);
+  }
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
   report.right_classes = content.kerning.right_classes;

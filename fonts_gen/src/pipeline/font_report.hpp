@@ -57,6 +57,7 @@ struct FontReport {
   std::vector<LanguageReport> languages;
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;
+  std::vector<StrikeTarget> strikes;
   size_t characters = 0;
   size_t masters = 0;       // glyphs that are second masters
   size_t master_bytes = 0;  // of their records

@@ -12,10 +12,11 @@ namespace {
 
 using format::StrikeFit;
 
-// Units per pixel of a font of strikes alone.
-int units_per_px(int px) {
+// Units per pixel of a font of strikes alone: one, or two for halves, or as
+// many as an em needs.
+int units_per_px(int px, int parts) {
   constexpr int kLeastUnitsPerEm = 16;
-  return 2 * ((kLeastUnitsPerEm + 2 * px - 1) / (2 * px));
+  return parts * ((kLeastUnitsPerEm + parts * px - 1) / (parts * px));
 }
 
 // The glyphs that text may show, which come before components and second
@@ -40,7 +41,7 @@ KerningMatrix scaled(KerningMatrix kerning, double scale) {
 RomContent alone(const RomContent& content, const DrawnStrike& drawn) {
   const RomStrike& strike = drawn.strike;
   const int px = strike.target.px;
-  const int unit = units_per_px(px);
+  const int unit = units_per_px(px, drawn.is_whole ? 1 : 2);
   const double scale =
       static_cast<double>(unit) * px / content.metrics.units_per_em;
   // Lines stand on whole pixels, and so do fitted glyphs.
