@@ -212,6 +212,7 @@ def read_records(data, header):
 class Font:
     def __init__(self, data):
         header, sections = read_header(data)
+        require(5, header.coding != STRIKE)  # StrikeFont reads those
         require(8, b"METR" in sections and b"GLYF" in sections)
         count = header.glyph_count
         self.glyph_of = read_code_pages(sections.get(b"CPAG", b""), count)
