@@ -64,24 +64,24 @@ def read_rows(data, width, height, bits, guesses):
 def read_strikes(data):
     """The strikes of a section STRK, or of GLYF where they are alone."""
     zero, count = struct.unpack_from("<HH", data)
-    require(17, zero == 0 and len(data) >= 4 + ENTRY_BYTES * count + 3)
-    require(17, data[-3:] == b"\0\0\0")
+    require(19, zero == 0 and len(data) >= 4 + ENTRY_BYTES * count + 3)
+    require(19, data[-3:] == b"\0\0\0")
     strikes = []
     for i in range(count):
         (px, bits, fit, first, glyphs, coding, *widths, left_base, top_base,
          step, reserved, guesses, boxes, base) = struct.unpack_from(
              "<HBBHHB5BBBHHIII", data, 4 + ENTRY_BYTES * i)
-        require(17, 4 <= px <= 255 and bits in (1, 2, 4) and fit <= 3)
-        require(17, coding == 0 and reserved == 0)
-        require(17, all(a <= b for a, b in zip(widths, (9, 9, 8, 8, 25))))
-        require(17, bits != 1 or guesses == 0)
+        require(19, 4 <= px <= 255 and bits in (1, 2, 4) and fit <= 3)
+        require(19, coding == 0 and reserved == 0)
+        require(19, all(a <= b for a, b in zip(widths, (9, 9, 8, 8, 25))))
+        require(19, bits != 1 or guesses == 0)
         table = Bits(data[boxes:])
         rows = [[table.take(width) for width in widths]
                 for _ in range(glyphs + 1)]
-        require(17, rows[-1][:4] == [0, 0, 0, 0])
+        require(20, rows[-1][:4] == [0, 0, 0, 0])
         begins = [(base + (n * step >> 8) + row[4]) & 0xffffffff
                   for n, row in enumerate(rows)]
-        require(17, begins == sorted(begins) and begins[-1] <= len(data) - 3)
+        require(20, begins == sorted(begins) and begins[-1] <= len(data) - 3)
         pictures = {}
         for n, (left, top, width, height, _) in enumerate(rows[:-1]):
             if width != 0:
