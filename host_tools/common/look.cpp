@@ -12,6 +12,7 @@
 #include "filters.hpp"
 #include "inkcell/few_levels.hpp"
 #include "inkcell/shadow.hpp"
+#include "rom_file.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -183,13 +184,20 @@ Look::Look(const LookOptions& asked,
   const LookOptions options = fill_in(asked, use);
   require_reach(options, font);
   const bool is_plain = options.filter.empty() && options.weight == 0;
+  const bool is_strike = coding_name(font) == "strike";
   if (options.filter == kArea) {
     require_area(options, font);
     style_ = make_style(px, angle, kFilterArea);
-  } else if (is_plain && is_as_display(options)) {
+  } else if (is_plain && (is_as_display(options) || is_strike)) {
     style_ = make_style(px, angle, kFilterArea);  // the default of styles
   }
   set_effect(options, font, use);
+  if (is_strike && font.check(style_) != Status::ok) {
+    const std::string size = std::to_string(font.range().min_px);
+    throw std::runtime_error(
+        "this font has pictures of " + size + " px alone: take --px " + size +
+        " or a multiple, without --angle, --filter and effects");
+  }
   if (font.check(style_) != Status::ok) {
     throw std::runtime_error(
         "--samples paper and splats draw cells, and this font has outlines: "
@@ -215,7 +223,7 @@ void Look::require_reach(const LookOptions& options, const Font& font) const {
 }
 
 void Look::require_area(const LookOptions& options, const Font& font) {
-  if (!font.has_outlines()) {
+  if (coding_name(font) == "field") {
     throw std::runtime_error(
         "--filter area draws outlines, and this font has cells: make it by "
         "inkcell-fontgen --coding outline");

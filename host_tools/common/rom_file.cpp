@@ -12,10 +12,10 @@
 
 #include "bytes.hpp"
 #include "inkcell/field/draw.hpp"
-#include "inkcell/strike/outline_strike.hpp"
-#include "inkcell/strike/strike.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/strike/outline_strike.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "inkcell/text.hpp"
 
 namespace inkcell::tools {

@@ -8,6 +8,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/strike/verify.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::tools {
@@ -68,6 +69,24 @@ std::vector<SectionCensus> take_sections(const uint8_t* rom) {
     result.push_back(census);
   }
   return result;
+}
+
+void take_strikes(const Font& font, FontCensus& census) {
+  namespace at = format::strike;
+  const Span<const uint8_t> strikes =
+      coding_name(font) == "strike" ? font.glyph_table()
+                                    : font.section(format::section::kStrikes);
+  size_t end = format::strikes::kBytes + at::kBytes;
+  for (; end <= strikes.size && verify_strikes(font) == Status::ok &&
+         census.strikes.size() < read_u16(strikes.data + 2);
+       end += at::kBytes) {
+    const uint8_t* const entry = strikes.data + end - at::kBytes;
+    census.strikes.push_back(std::to_string(read_u16(entry + at::kPx)) +
+                             " px, " + std::to_string(entry[at::kBits]) +
+                             " bits, " +
+                             std::to_string(read_u16(entry + at::kGlyphs)) +
+                             " glyphs, fit " + std::to_string(entry[at::kFit]));
+  }
 }
 
 void take_kerning(const Font& font, FontCensus& census) {
@@ -179,6 +198,9 @@ FontCensus take_census(const Font& font) {
   census.format_minor = rom[format::header::kFormatMinor];
   census.coding_name = coding_name(font);
   census.verified = verify_fields(font);
+  if (census.verified == Status::ok) {
+    census.verified = verify_strikes(font);
+  }
   census.metrics = font.metrics();
   census.range = font.range();
   census.fixed_predicate = rom[format::header::kPredicate] ==
@@ -189,6 +211,7 @@ FontCensus take_census(const Font& font) {
   census.grid_units = grid_units(font);
   census.max_points = max_points(font);
   take_kerning(font, census);
+  take_strikes(font, census);
   take_morphs(font, census);
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     census.glyphs.push_back(take_glyph(font, static_cast<uint16_t>(glyph)));

@@ -389,6 +389,9 @@ std::string font_report(const FontCensus& font) {
          m.cap_height);
   append(out, "  glyphs          %zu, for %zu characters:%s\n",
          font.glyphs.size(), font.characters, code_point_ranges(font).c_str());
+  for (const std::string& strike : font.strikes) {
+    append(out, "  strike          %s\n", strike.c_str());
+  }
   append(out, "  kerning         %d left classes, %d right\n",
          font.left_classes, font.right_classes);
   if (font.morph_pairs != 0) {
