@@ -23,17 +23,6 @@ int32_t scale_of(const Font& font,
   return static_cast<int32_t>((size + em / 2) / em);
 }
 
-// A row of a map times a column of a component's, which is in Q14 and 16 bits
-// wide: rounded, modulo 2^32, without products of 64 bits.
-__attribute__((noinline)) int32_t mixed(int32_t a,
-                                        int32_t x,
-                                        int32_t b,
-                                        int32_t y) noexcept {
-  constexpr int32_t kLow = (1 << 14) - 1;
-  return sum(sum(product(a >> 14, x), product(b >> 14, y)),
-             ((a & kLow) * x + (b & kLow) * y + (1 << 13)) >> 14);
-}
-
 // From a pixel to a place, modulo 2^32. [px, Q10; px -> Q18]
 int32_t place_from(int32_t at_q10, int32_t px) noexcept {
   return static_cast<int32_t>(
@@ -93,6 +82,15 @@ FinePoint place_slanted(const Style& style,
 
 }  // namespace
 
+__attribute__((noinline)) int32_t mixed(int32_t a,
+                                        int32_t x,
+                                        int32_t b,
+                                        int32_t y) noexcept {
+  constexpr int32_t kLow = (1 << 14) - 1;
+  return sum(sum(product(a >> 14, x), product(b >> 14, y)),
+             ((a & kLow) * x + (b & kLow) * y + (1 << 13)) >> 14);
+}
+
 const Slant kSlant = {map_slanted, place_slanted};
 
 bool OutlineRecord::find(const Font& font, uint16_t glyph) noexcept {
@@ -149,7 +147,7 @@ bool OutlineGlyph::find(const Font& font,
   return true;
 }
 
-void OutlineGlyph::find_box(const Placed& placed,
+void OutlinePlace::find_box(const Placed& placed,
                             const BandPlan& plan,
                             int32_t origin_q8,
                             const InkEnds (&ink)[2],

@@ -88,6 +88,25 @@ struct InkEnds {
   int32_t high;
 };
 
+// A row of a map times a column of a component's, which is in Q14 and 16 bits
+// wide: rounded, modulo 2^32.
+int32_t mixed(int32_t a, int32_t x, int32_t b, int32_t y) noexcept;
+
+// Where an outline stands on the screen. Lies in RAM that is lent as bytes.
+struct __attribute__((may_alias)) OutlinePlace {
+  // The pixels that may show something of ink to the right and down; the map
+  // becomes one of samples, and the origin is set. `origin_q8`: what lies at
+  // whole numbers, from a sample's upper left corner. [samples]
+  void find_box(const Placed& placed,
+                const BandPlan& plan,
+                int32_t origin_q8,
+                const InkEnds (&ink)[2],
+                Rect& box) noexcept;
+
+  OutlineMap map_;         // of the glyph
+  int32_t origin_q18_[2];  // the glyph's, as points have it [samples]
+};
+
 // Whether a record, which may be empty, is one of outlines.
 inline bool is_outline(const Span<const uint8_t>& record) noexcept {
   return record.size != 0 &&
@@ -109,7 +128,7 @@ struct OutlineRecord {
 
 // Placed and read for one style. Views the font, which must outlive it. Lies in
 // RAM that is lent as bytes.
-class __attribute__((may_alias)) OutlineGlyph {
+class __attribute__((may_alias)) OutlineGlyph : private OutlinePlace {
  public:
   // Finds the glyph and its ink, to the right and down; `slanted` is null for
   // upright glyphs. False: the font has no outline for it.
@@ -119,13 +138,8 @@ class __attribute__((may_alias)) OutlineGlyph {
             const Style* slanted,
             InkEnds (&ink)[2],
             bool& is_mirrored) noexcept;
-  // Then the pixels that may show something. `origin_q8`: what lies at whole
-  // numbers, from a sample's upper left corner. [samples]
-  void find_box(const Placed& placed,
-                const BandPlan& plan,
-                int32_t origin_q8,
-                const InkEnds (&ink)[2],
-                Rect& box) noexcept;
+  // Then the pixels that may show something.
+  using OutlinePlace::find_box;
 
   const GlyphMetrics& metrics() const noexcept { return record_.metrics; }
 
@@ -150,9 +164,7 @@ class __attribute__((may_alias)) OutlineGlyph {
 
   const Font* font_;
   OutlineRecord record_;
-  OutlineMap map_;         // of the glyph
-  OutlineMap part_map_;    // of the component at hand
-  int32_t origin_q18_[2];  // the glyph's, as points have it [samples]
+  OutlineMap part_map_;  // of the component at hand
   OutlineReader reader_;
   ComponentReader components_;  // of a composite that come yet
 };
