@@ -11,6 +11,8 @@ namespace inkcell {
 
 class Font;
 class Style;
+class TrueTypeFont;
+struct GlyphMetrics;
 
 namespace detail {
 // What all outlines of a font share: sections CODE and GLYF.
@@ -22,7 +24,8 @@ struct OutlineCoding {
   uint8_t last_table = 0;           // 0, 1, 3 or 7
 };
 
-// Finds glyphs of a font that is read in pages (inkcell/stored/).
+// Finds glyphs of a font that is read in pages (inkcell/stored/), or in another
+// format (inkcell/truetype/).
 struct FontPages {
   // As Font::glyph_of(); read_failed: the storage.
   Status (*glyph_of)(const FontPages& pages,
@@ -35,6 +38,12 @@ struct FontPages {
   int32_t (*kerning)(const FontPages& pages,
                      uint16_t left,
                      uint16_t right) noexcept;
+  // As Font::glyph_metrics(), or the advance alone, of a glyph that page_of()
+  // does not know.
+  Status (*measure)(const FontPages& pages,
+                    uint16_t glyph,
+                    bool is_advance_only,
+                    GlyphMetrics& out) noexcept;
 };
 class StoredStore;
 }  // namespace detail
@@ -195,6 +204,7 @@ class Font {
 
  private:
   friend class detail::StoredStore;
+  friend class TrueTypeFont;
 
   class MetricsRow;
 
@@ -204,6 +214,9 @@ class Font {
   uint32_t find_run(uint32_t code_point) const noexcept;
   uint32_t find_on_page(uint32_t code_point) const noexcept;
   bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
+  Status measure(uint16_t glyph,
+                 bool is_advance_only,
+                 GlyphMetrics& out) const noexcept;
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
     return tables_[1];

@@ -274,10 +274,18 @@ bool Font::find_row(uint32_t glyph, MetricsRow& row) const noexcept {
   return true;
 }
 
+// Of a glyph that has no row. Not inline: fonts in ROM have none.
+__attribute__((noinline)) Status Font::measure(
+    uint16_t glyph, bool is_advance_only, GlyphMetrics& out) const noexcept {
+  return pages_ != nullptr
+             ? pages_->measure(*pages_, glyph, is_advance_only, out)
+             : Status::no_glyph;
+}
+
 Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   MetricsRow row;
   if (!find_row(glyph, row)) {
-    return Status::no_glyph;
+    return measure(glyph, false, out);
   }
   uint16_t columns[format::metrics::kColumns];
 #if !defined(__OPTIMIZE_SIZE__)
@@ -296,7 +304,12 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
 
 int32_t Font::advance(uint16_t glyph) const noexcept {
   MetricsRow row;
-  return find_row(glyph, row) ? row.advance() : 0;
+  if (find_row(glyph, row)) {
+    return row.advance();
+  }
+  GlyphMetrics metrics;
+  static_cast<void>(measure(glyph, true, metrics));
+  return metrics.advance;
 }
 
 InkBox Font::ink_box(uint16_t glyph) const noexcept {

@@ -44,12 +44,9 @@ bool make_plan(const Source& source,
   plan.columns = 1;
   plan.rows = 1;
   plan.sample_bytes = 1;
-  plan.band_kind = StyleParts::band_kind(style);
+  plan.band_kind = band_kind_of(style);
   const Effect* const effect = style.effect();
-  if (effect != nullptr && effect->mixer().band_kind != nullptr) {
-    plan.band_kind = effect->mixer().band_kind;
-  }
-  if (plan.band_kind == nullptr) {
+  if (!can_fill(source, plan.band_kind)) {
     return false;
   }
   const int32_t reach_q8 = plan.band_kind->reach_q8;
@@ -263,15 +260,26 @@ __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
 //
 // Styles that are not fitted have no maps. In the first row they take a frame
 // without room for them.
+// Sources with draw_large() have their own rows.
 void draw_bands(const GlyphCall& call, const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
+  if (call.ref.source->draw_large != nullptr) {
+    call.ref.source->draw_large(call, ram);
+    return;
+  }
   if (ram.size <= kWideBandRam && !call.style.is_fitted()) {
     draw_on_stack(call);
     return;
   }
   if (ram.size < kLeastFittedRam) {
     draw_fitted_on_stack(call, ram);
-  } else if (prepare_in(ram, call)) {
+  } else {
+    draw_bands_in(ram, call);
+  }
+}
+
+void draw_bands_in(const Workspace& ram, const GlyphCall& call) noexcept {
+  if (prepare_in(ram, call)) {
     draw_prepared(*reinterpret_cast<GlyphJob*>(ram.data));
   }
 }
@@ -302,21 +310,24 @@ Status PreparedGlyph::make(const Font& font,
                            PreparedGlyph& out) noexcept {
   using namespace detail;
   const Workspace ram = aligned(workspace);
-  if (ram.size < kLeastFittedRam) {
+  const Source* const source = font.source();
+  const bool is_large = source != nullptr && source->draw_large != nullptr;
+  if (ram.size < size_t{kLeastFittedRam} + (is_large ? size_t{kLargeRam} : 0)) {
     return Status::buffer_small;
   }
-  if (glyph >= font.glyph_count()) {
+  GlyphMetrics metrics;
+  if (is_large ? font.glyph_metrics(glyph, metrics) != Status::ok
+               : glyph >= font.glyph_count()) {
     return Status::no_glyph;
   }
-  if (font.source() == nullptr || font.source()->kind == SourceKind::strikes) {
+  if (source == nullptr || source->kind == SourceKind::strikes) {
     return Status::unsupported;
   }
   PreparedGlyph made;
   Placed placed;
   auto* const job = reinterpret_cast<GlyphJob*>(ram.data);
   if (placed.set(origin) &&
-      prepare_in(ram,
-                 {{font.source(), &font, glyph}, style, placed, &kAnySink})) {
+      prepare_in(ram, {{source, &font, glyph}, style, placed, &kAnySink})) {
     made.job_ = job;
   }
   out = made;

@@ -56,7 +56,8 @@ Status Font::check(const Style& style) const noexcept {
   const bool draws =
       source_->kind == detail::SourceKind::strikes
           ? detail::strike_scale(*this, style) != 0 && style.effect() == nullptr
-          : detail::can_draw(*source_, style);
+          : detail::can_draw(*source_, style) &&
+                detail::can_fill(*source_, detail::band_kind_of(style));
   return draws ? Status::ok : Status::unsupported;
 }
 

@@ -24,6 +24,7 @@ Status StoredStore::open(const Storage& storage,
   glyph_of = glyph_of_code;
   page_of = page_of_glyph;
   kerning = kerning_of;
+  measure = measure_none;
   storage_ = storage;
   stats_ = {};
   clock_ = 0;
@@ -346,6 +347,13 @@ const Font* StoredStore::font_to_draw(const Font& font,
     return page_of_glyph(*font.pages_, glyph);
   }
   return glyph == 0 ? &font : nullptr;
+}
+
+Status StoredStore::measure_none(const FontPages&,
+                                 uint16_t,
+                                 bool,
+                                 GlyphMetrics&) noexcept {
+  return Status::no_glyph;
 }
 
 // Few glyphs kern, and have the lowest ids: others need no read.
