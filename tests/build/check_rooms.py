@@ -40,6 +40,7 @@ LIBRARIES = {
     "simulation": "base inkcell/motion",
     "stored": "base font place outlines rows",
     "strike": "base place rows",
+    "truetype": "base place outlines rows",
 }
 
 # Folders of public headers, likewise.

@@ -16,7 +16,7 @@ subprocess.run([*MAKE_API, MADE], check=True)
 
 # The folders of core that are libraries of their own, each before those that use it.
 LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored",
-             "strike")
+             "strike", "truetype")
 
 # What most tests make fonts of.
 FONTS = pathlib.Path("/usr/share/fonts")

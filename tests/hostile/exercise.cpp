@@ -192,6 +192,10 @@ void expect_changing_bytes() {
   bytes_change = true;
 }
 
+bool bytes_may_change() {
+  return bytes_change;
+}
+
 // Draws one picture, then the same in two strips, then row by row by distances.
 void draw_checked(const Font& font,
                   uint16_t glyph,

@@ -24,6 +24,7 @@ void use(const inkcell::Font& font);
 /// From now on bytes of fonts may differ from load to load: pictures may
 /// differ, and pixels may repeat. All other promises must hold.
 void expect_changing_bytes();
+bool bytes_may_change();
 
 /// Draws a glyph in small windows about (0, 0), whole and in strips, and looks
 /// up distances.

@@ -1,0 +1,33 @@
+// Draws glyphs of TrueType files.
+#pragma once
+
+#include <stdint.h>
+
+#include "glyph_reader.hpp"
+#include "rows/source.hpp"
+
+namespace inkcell::detail {
+
+struct __attribute__((may_alias)) TrueTypeJob : GlyphJob {
+  bool has_all;    // points
+  uint16_t count;  // of points that there are, or that there is room for
+  ScreenPoint* points;
+  TrueTypeGlyph outline;
+  OutlineCursor cursor;
+
+  // What find() of the glyph may set, see Source::draw_large. [bytes]
+  static constexpr int32_t prepared_bytes() noexcept {
+    return sizeof(TrueTypeJob) - sizeof cursor - sizeof outline.frames_;
+  }
+};
+
+// The functions of such sources. load_glyph() leaves `tenths` of what points do
+// not take of the RAM to bands; the rest lies behind it.
+bool prepare_glyph(GlyphJob& job,
+                   const GlyphRef& ref,
+                   const Placed& placed) noexcept;
+bool load_glyph(GlyphJob& job, int32_t tenths) noexcept;
+void fill_glyph(TrueTypeJob& job, PaintPoints* paint) noexcept;
+void draw_truetype(const GlyphCall& call, const Workspace& ram) noexcept;
+
+}  // namespace inkcell::detail
