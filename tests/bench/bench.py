@@ -56,13 +56,14 @@ BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 CODINGS = {
     "outline": ("outline", ("area", "upright")),
     "field": ("cells", ("upright",)),
+    "truetype": ("truetype", ("area",)),  # the file that the peers read
 }
 # Codings as ROM fonts number them; 1 was that of earlier versions.
 ROM_CODINGS = {0: "field", 2: "outline"}
 # Codings that modes, runs of text and digits are measured with.
 STYLED = ("outline", "field")
 LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_field", "inkcell_cache",
-                         "inkcell_port_pixel"),
+                         "inkcell_truetype", "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
     "glyphs": "each engine, coding and size",
@@ -244,16 +245,24 @@ class Fonts:
                 continue
             if "inkcell" in arguments.engines:
                 for coding in arguments.coding:
+                    if coding == "truetype":
+                        continue
                     made = f"{name}-{coding}.bin"
                     wanted[made] = (font, ["--coding", coding])
                     self.files[font, "inkcell", coding] = made
                 if "strike" in arguments.what and not arguments.against:
                     wanted.update(self.strikes(font, name))
-            if set(arguments.engines) & {"freetype", "stb"}:
+            readers = {"freetype": (font, "freetype", None),
+                       "stb": (font, "stb", None)}
+            readers = [readers[engine] for engine in arguments.engines
+                       if engine in readers]
+            if {"inkcell", "truetype"} <= {*arguments.engines,
+                                           *arguments.coding}:
+                readers.append((font, "inkcell", "truetype"))
+            if readers:
                 made = self.folder / (name + ".ttf")
                 peers.make_subset(font, made, build)
-                for engine in ("freetype", "stb"):
-                    self.files[font, engine, None] = made.name
+                self.files.update((reader, made.name) for reader in readers)
         if wanted:
             self.generate(find_fontgen(arguments, build), wanted)
 

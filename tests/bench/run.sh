@@ -3,7 +3,7 @@
 # FreeType and stb_truetype, and in LVGL beside its bitmap fonts.
 #
 #   sh tests/bench/run.sh [--cpu m0,m3,m4,m7,m33,rv32] [--opt O2,Os]
-#       [--engines inkcell,freetype,stb] [--coding outline,field]
+#       [--engines inkcell,freetype,stb] [--coding outline,field,truetype]
 #       [--px 12,16,24,32,48,96] [--font FILE]... [--what glyphs,...]
 #       [--against REV [--limits]]
 #       [--lvgl FOLDER] [--lv-font-conv FILE] [--write-docs] [--help]

@@ -285,20 +285,20 @@ bool TrueTypeGlyph::begin_record(const Table& record,
                                  const int32_t (&origin_q18)[2]) noexcept {
   if (i16_at(record, kRecordContours) < 0) {
     if (depth_ != kDepth) {
-      frames_[depth_++] = {
+      work_.frames[depth_++] = {
           part_of(record, kRecordBytes), map, {origin_q18[0], origin_q18[1]}};
     }
     return false;
   }
   part_map_ = map;
-  reader_.set_pen(origin_q18);
-  return reader_.begin(face_->file, record, budget_);
+  work_.reader.set_pen(origin_q18);
+  return work_.reader.begin(face_->file, record, budget_);
 }
 
 // Goes to the next simple component. False: there are no more.
 bool TrueTypeGlyph::next_part() noexcept {
   while (depth_ != 0 && parts_ != kMostParts) {
-    Frame& frame = frames_[depth_ - 1];
+    Frame& frame = work_.frames[depth_ - 1];
     const Table part = frame.rest;
     if (part.size < 6) {
       --depth_;
@@ -375,10 +375,10 @@ void TrueTypeGlyph::rewind() noexcept {
 
 ScreenPoint* TrueTypeGlyph::read(ScreenPoint* out, int32_t room) noexcept {
   while (!is_done_) {
-    ScreenPoint* const end = reader_.read(part_map_, out, room);
+    ScreenPoint* const end = work_.reader.read(part_map_, out, room);
     room -= static_cast<int32_t>(end - out);
     out = end;
-    if (!reader_.has_ended()) {
+    if (!work_.reader.has_ended()) {
       break;
     }
     is_done_ = !next_part();

@@ -96,11 +96,16 @@ class TrueTypeGlyph : private OutlinePlace {
   uint8_t parts_;
   uint8_t depth_;
   bool is_done_;
-  SimpleReader reader_;
+
+  // What find() does not set.
+  struct Work {
+    SimpleReader reader;
+    Frame frames[kDepth];
+  };
+  Work work_;
 
  public:
-  // find() sets none of them.
-  Frame frames_[kDepth];
+  static constexpr int32_t kWorkBytes = sizeof(Work);
 };
 
 }  // namespace inkcell::detail

@@ -17,7 +17,7 @@ constexpr int32_t kPointBytes = sizeof(ScreenPoint);
 constexpr int32_t kLeastTrueTypeRam =
     sizeof(TrueTypeJob) + kFewPoints * kPointBytes + 2 * kLeastBand;
 static_assert(kLeastTrueTypeRam <= kLeastFittedRam + kLargeRam);
-static_assert(TrueTypeJob::prepared_bytes() <= kMostJob);
+static_assert(sizeof(TrueTypeJob) - TrueTypeGlyph::kWorkBytes <= kMostJob);
 
 // Not inline: its part of the stack is not needed where RAM is lent.
 __attribute__((noinline)) void draw_on_own_stack(
@@ -31,14 +31,18 @@ struct WordRows {
   using Pixel = uint16_t;
 };
 
-// What rows of bytes show of a sum, as cover_areas() does: 248 and more are
-// roundings below 0.
+// Sums are kept above by so much: then those that a row of bytes can show, of
+// which the lowest are roundings below 0 and the highest are clamped, have 8
+// bits. See cover_areas().
+constexpr int32_t kBelow = 8;
+
+// The nearest sum that it can show.
 int32_t saturated(int32_t sum) noexcept {
   constexpr int32_t kFull = 240;
-  return is_below(sum + 8, 256) ? sum : min(abs(sum), kFull);
+  return is_below(sum, 256) ? sum : min(abs(sum - kBelow), kFull) + kBelow;
 }
 
-// The first and the second pixel of a word.
+// Two pixels of 16 bits in a word, the first and the second.
 int32_t first_of(uint32_t word) noexcept {
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
   return static_cast<int32_t>(word) >> 16;
@@ -54,6 +58,51 @@ int32_t second_of(uint32_t word) noexcept {
 #endif
 }
 
+// Their low bytes, the first one lowest.
+uint32_t low_bytes(uint32_t word) noexcept {
+  return (static_cast<uint32_t>(first_of(word)) & 255) |
+         (static_cast<uint32_t>(second_of(word)) & 255) << 8;
+}
+
+// The same of four pixels as saturated sums differ.
+__attribute__((noinline)) uint32_t saturated_bytes(const uint32_t (&words)[2],
+                                                   int32_t sum) noexcept {
+  uint32_t bytes = 0;
+  int32_t before = saturated(sum);
+  for (uint32_t i = 0; i != 4; ++i) {
+    const uint32_t word = words[i >> 1];
+    sum += (i & 1) == 0 ? first_of(word) : second_of(word);
+    const int32_t shown = saturated(sum);
+    bytes |= (static_cast<uint32_t>(shown - before) & 255) << 8 * i;
+    before = shown;
+  }
+  return bytes;
+}
+
+struct FourPixels {
+  uint32_t words[2];
+
+  explicit FourPixels(const uint8_t* at) noexcept {
+    __builtin_memcpy(words, __builtin_assume_aligned(at, 4), sizeof words);
+  }
+  bool is_zero() const noexcept { return (words[0] | words[1]) == 0; }
+
+  // The bytes to show; `sum` goes on behind them.
+  uint32_t bytes(int32_t& sum) const noexcept {
+    const int32_t a = sum + first_of(words[0]);
+    const int32_t b = a + second_of(words[0]);
+    const int32_t c = b + first_of(words[1]);
+    const int32_t d = c + second_of(words[1]);
+    const int32_t any = sum | a | b | c | d;
+    const uint32_t result = __builtin_expect((any & ~255) == 0, 1)
+                                ? low_bytes(words[0]) | low_bytes(words[1])
+                                                            << 16
+                                : saturated_bytes(words, sum);
+    sum = d;
+    return result;
+  }
+};
+
 // From rows of 16 bits, which may begin where the band does, to rows of bytes:
 // differences of saturated sums.
 void saturate(const Band& band, const uint8_t* wide) noexcept {
@@ -61,38 +110,26 @@ void saturate(const Band& band, const uint8_t* wide) noexcept {
   const int32_t row_bytes = band.row_bytes();
   const int32_t skipped = band.stride - row_bytes;
   for (int32_t row = band.rows; row != 0; --row) {
-    int32_t sum = 0;
+    int32_t sum = kBelow;
     uint8_t* const end = to + row_bytes;
     do {
-      uint32_t words[2];
-      __builtin_memcpy(words, __builtin_assume_aligned(wide, 4), sizeof words);
-      wide += sizeof words;
-      uint32_t bytes = 0;
-      if ((words[0] | words[1]) != 0) {
-        const int32_t a = sum + first_of(words[0]);
-        const int32_t b = a + second_of(words[0]);
-        const int32_t c = b + first_of(words[1]);
-        const int32_t d = c + second_of(words[1]);
-        const auto byte = [](int32_t of, int32_t before) noexcept {
-          return static_cast<uint32_t>(of - before) & 255;
-        };
-        if (__builtin_expect(
-                (((a + 8) | (b + 8) | (c + 8) | (d + 8)) & ~255) == 0 &&
-                    is_below(sum + 8, 256),
-                1)) {
-          bytes = byte(a, sum) | byte(b, a) << 8 | byte(c, b) << 16 |
-                  byte(d, c) << 24;
-        } else {
-          const int32_t shown[] = {saturated(sum), saturated(a), saturated(b),
-                                   saturated(c), saturated(d)};
-          for (uint32_t i = 0; i != 4; ++i) {
-            bytes |= byte(shown[i + 1], shown[i]) << 8 * i;
-          }
-        }
-        sum = d;
-      }
-      store_pixels(to, bytes);
+      const FourPixels pixels(wide);
+      wide += 8;
+      uint8_t* const at = to;
       to += 4;
+      if (!pixels.is_zero()) {
+        store_pixels(at, pixels.bytes(sum));
+        continue;
+      }
+      store_pixels(at, 0);
+      // Most follow each other.
+      while (!kIsSmall && end - to >= 8 && FourPixels(wide).is_zero() &&
+             FourPixels(wide + 8).is_zero()) {
+        store_pixels(to, 0);
+        store_pixels(to + 4, 0);
+        to += 8;
+        wide += 16;
+      }
     } while (to != end);
     to += skipped;
     wide += 2 * skipped;
@@ -171,8 +208,19 @@ bool load_glyph(GlyphJob& base, int32_t tenths) noexcept {
     count = min(kFewPoints, most);
   }
   job.count = static_cast<uint16_t>(count);
-  job.ram += count * kPointBytes;
-  job.ram_bytes -= count * kPointBytes;
+  uint8_t* const end = job.ram + job.ram_bytes;
+  const Rect& shown = job.pixels;
+  if (job.has_all &&
+      product(2 * (shown.x1 - shown.x0), shown.y1 - shown.y0) > job.ram_bytes) {
+    // Down, for more rows.
+    auto* const to = reinterpret_cast<ScreenPoint*>(job.free_bytes());
+    for (int32_t i = 0; i != count; ++i) {
+      to[i] = job.points[i];
+    }
+    job.points = to;
+  }
+  job.ram = reinterpret_cast<uint8_t*>(job.points + count);
+  job.ram_bytes = static_cast<int32_t>(end - job.ram);
   job.ram_bytes = quotient(job.ram_bytes * tenths, 10) & ~3;
   return true;
 }

@@ -12,12 +12,13 @@ struct __attribute__((may_alias)) TrueTypeJob : GlyphJob {
   bool has_all;    // points
   uint16_t count;  // of points that there are, or that there is room for
   ScreenPoint* points;
-  TrueTypeGlyph outline;
   OutlineCursor cursor;
+  TrueTypeGlyph outline;  // last: see Source::draw_large
 
-  // What find() of the glyph may set, see Source::draw_large. [bytes]
-  static constexpr int32_t prepared_bytes() noexcept {
-    return sizeof(TrueTypeJob) - sizeof cursor - sizeof outline.frames_;
+  // Room that is free once all points are read.
+  uint8_t* free_bytes() noexcept {
+    return guards != 0 ? reinterpret_cast<uint8_t*>(&outline)
+                       : reinterpret_cast<uint8_t*>(cursor.halves());
   }
 };
 

@@ -1,11 +1,11 @@
-// Inkcell with a font of outlines. Ways:
+// Inkcell with a font of outlines, or a TrueType file, by area only. Ways:
 //
 //   upright, turned, leaning   by distance; by 15 degrees, and by 1/5
 //   area, area_turned          by exact coverage
 //   strips                     upright, decoded anew for each strip
-//   stack                      the same without lent RAM
+//   stack, area_stack          the same without lent RAM
 //
-// All but the last lend kWorkspace bytes.
+// All but those of the last line lend kWorkspace bytes.
 #include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell_strips.hpp"
@@ -33,7 +33,8 @@ bool make_style(Q26_6 size, const char* name) {
     const auto em = Q16_16::from_raw(size.raw << 10);
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
     style = Style(matrix, kFilterText);
-  } else if (equal(name, "area")) {
+  } else if (equal(name, "area") || equal(name, "area_stack")) {
+    way = equal(name, "area") ? Way::prepared : Way::stack;
     style = Style(size, kFilterArea);
   } else if (equal(name, "area_turned")) {
     style = Style(size, kFilterArea, kTurn);

@@ -1,6 +1,9 @@
 // What the engines of Inkcell share.
 #include "inkcell_strips.hpp"
 #include "inkcell/field/draw.hpp"
+#if INKCELL_BENCH_TRUETYPE
+#  include "inkcell/truetype/truetype_font.hpp"
+#endif
 
 using namespace inkcell;
 
@@ -65,7 +68,14 @@ bool bench::equal(const char* a, const char* b) {
 }
 
 bool engine_open(const uint8_t* bytes, size_t size) {
+#if INKCELL_BENCH_TRUETYPE
+  static TrueTypeFont opened;
+  const bool is_open = opened.open({bytes, size}) == Status::ok;
+  bench::font = opened.font();
+  return is_open;
+#else
   return open_any_font({bytes, size}, bench::font) == Status::ok;
+#endif
 }
 
 uint32_t engine_ink() {
