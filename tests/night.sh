@@ -10,7 +10,7 @@
 #   editing    the claims of host_tools/design/docs/EDITING.md
 #   mutate     mistakes in the core that no unit test notices
 #   coverage   lines and branches of the core that no test runs
-#   fuzz       four fuzzers, an hour
+#   fuzz       all fuzzers, an hour
 #   release    tests/release.sh: the files of a release, as users take them
 #   bare       tests/bare.sh: demo, page and tests on a bare Debian; needs root
 #

@@ -8,6 +8,7 @@
 #include "canvas.hpp"
 #include "convert.hpp"
 #include "files.hpp"
+#include "inkcell/truetype/truetype_font.hpp"
 #include "look.hpp"
 #include "program.hpp"
 #include "render_jobs.hpp"
@@ -24,6 +25,7 @@ constexpr double kShiftInMargin = 1;  // [px]
 struct Arguments {
   gen::GenerateRequest request;
   std::string font;
+  std::string run_time;
   std::string text;
   std::string jobs;
   std::string out;
@@ -62,6 +64,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", arguments.font,
                  "ROM font, or TTF, OTF, WOFF or WOFF2 to convert in memory")
       ->type_name("FILE");
+  app.add_option("--run-time", arguments.run_time,
+                 "Instead of --font: a TrueType file that is drawn as it is,\n"
+                 "with --filter area")
+      ->type_name("FILE.ttf");
   app.add_option("--text", arguments.text,
                  "What to draw; a line feed begins a new line");
   app.add_option("--px", arguments.px, "Size, may be fractional [px/em]");
@@ -182,14 +188,61 @@ void print_samples(const SampleTotal& total) {
   }
 }
 
+// A font and its bytes: a ROM font, made or as it is, or a TrueType file.
+class AnyFile {
+ public:
+  AnyFile(const Arguments& arguments, const Conversion& conversion) {
+    if (arguments.run_time.empty()) {
+      rom_.emplace(load_font_file(arguments.font, conversion, arguments.text));
+      return;
+    }
+    if (!conversion.option.empty()) {
+      throw std::runtime_error("--run-time converts nothing, and takes no " +
+                               conversion.option);
+    }
+    bytes_ = read_file(arguments.run_time);
+    const Status status = truetype_.open({bytes_.data(), bytes_.size()});
+    if (status != Status::ok) {
+      throw std::runtime_error(
+          arguments.run_time + ": " +
+          (status == Status::unsupported
+               ? "its outlines are those of CFF, and --run-time takes "
+                 "TrueType's; --font converts it"
+               : "it is no whole TrueType file") +
+          " (" + std::string(status_name(status)) + ")");
+    }
+  }
+
+  const Font& font() const {
+    return rom_.has_value() ? rom_->font() : truetype_.font();
+  }
+  // Null: a ROM font.
+  const TrueTypeFont* truetype() const {
+    return rom_.has_value() ? nullptr : &truetype_;
+  }
+  size_t size() const {
+    return rom_.has_value() ? font().rom().size : bytes_.size();
+  }
+
+ private:
+  std::optional<RomFile> rom_;
+  std::vector<uint8_t> bytes_;
+  TrueTypeFont truetype_;
+};
+
 void print_stats(const DrawStats& stats,
                  const std::vector<Line>& lines,
                  const Image& image,
-                 const Font& font,
+                 const AnyFile& file,
                  double seconds) {
-  std::printf("font             %zu bytes, %u glyphs, coding %s\n",
-              font.rom().size, static_cast<unsigned>(font.glyph_count()),
-              std::string(coding_name(font)).c_str());
+  const TrueTypeFont* const truetype = file.truetype();
+  const Font& font = file.font();
+  std::printf(
+      "font             %zu bytes, %u glyphs, coding %s\n", file.size(),
+      static_cast<unsigned>(truetype != nullptr ? truetype->glyph_count()
+                                                : font.glyph_count()),
+      truetype != nullptr ? "TrueType"
+                          : std::string(coding_name(font)).c_str());
   std::printf("picture          %d x %d px in %lld strips\n", image.width,
               image.height, static_cast<long long>(stats.strips));
   std::printf("glyphs           %zu\n", glyph_count(lines));
@@ -225,16 +278,22 @@ void round_to_levels(Image& image, int levels) {
 
 void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_image_file(arguments.out, arguments.look.lcd == "none" ? 1 : 3);
-  check_apart({arguments.out}, {arguments.font});
+  check_apart(
+      {arguments.out},
+      {arguments.run_time.empty() ? arguments.font : arguments.run_time});
   check_hint(arguments.look, is_turned(arguments.angle), "--angle");
-  const RomFile rom =
-      load_font_file(arguments.font, conversion, arguments.text);
-  const Font& font = rom.font();
+  const AnyFile file(arguments, conversion);
+  const Font& font = file.font();
   const Look look(arguments.look, font, arguments.px, arguments.angle,
                   Use::text);
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
   const Style& style = look.style();
+  if (font.check(style) != Status::ok) {
+    throw std::runtime_error(
+        "--run-time draws exact coverage: take --filter area, and no effect of "
+        "distances");
+  }
   const std::vector<Line> lines =
       lay_out_lines(font, arguments.text,
                     arguments.kerning == "off" ? Kerning::none : Kerning::font,
@@ -253,7 +312,7 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - begin;
   if (arguments.stats) {
-    print_stats(stats, lines, image, font, time.count());
+    print_stats(stats, lines, image, file, time.count());
     SampleTotal total;
     add_samples(image, look, total);
     print_samples(total);
@@ -272,9 +331,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const Conversion conversion = conversion_of(app, arguments.request);
   if (!arguments.jobs.empty()) {
     for (const char* option :
-         {"--font", "--text", "--px", "--out", "--dx", "--dy", "--angle",
-          "--wrap", "--align", "--width", "--height", "--ox", "--oy", "--zoom",
-          "--rows"}) {
+         {"--font", "--run-time", "--text", "--px", "--out", "--dx", "--dy",
+          "--angle", "--wrap", "--align", "--width", "--height", "--ox", "--oy",
+          "--zoom", "--rows"}) {
       if (app.count(option) != 0) {
         throw std::runtime_error(
             std::string("--jobs takes no ") + option +
@@ -292,7 +351,8 @@ void run(const Arguments& arguments, const CLI::App& app) {
     }
     return;
   }
-  for (const char* option : {"--font", "--text", "--px", "--out"}) {
+  const char* const font = arguments.run_time.empty() ? "--font" : "--run-time";
+  for (const char* option : {font, "--text", "--px", "--out"}) {
     if (app.count(option) == 0) {
       throw std::runtime_error(std::string(option) +
                                " is missing (or use --jobs); see --help");

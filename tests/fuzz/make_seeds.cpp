@@ -2,6 +2,7 @@
 //
 //   fuzz_make_seeds tests/fuzz/corpus tests/fuzz/corpus_outline
 //     tests/fuzz/corpus_moving tests/fuzz/corpus_strike
+//     tests/fuzz/corpus_truetype
 #include <stdio.h>
 
 #include <string>
@@ -12,6 +13,7 @@
 #include "outline_input.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "sfnt_font.hpp"
 #include "strike_font.hpp"
 
 namespace {
@@ -278,13 +280,37 @@ bool write_strike_seeds(const std::string& folder) {
                            {12, 4, StrikeFit::both, 0, 8, 0, 0xdeadbeef});
 }
 
+// Files with each map of characters and each kerning, and a choice.
+bool write_truetype_seeds(const std::string& folder) {
+  bool written = true;
+  for (uint8_t i = 0; i < 4; ++i) {
+    constexpr int32_t kFormats[] = {4, 12, 6, 0};
+    sfnt_font::Options options;
+    options.cmap_format = kFormats[i];
+    options.gpos_format = i % 3;
+    options.is_extension = i == 2;
+    options.is_glyf_last = i == 1;
+    std::vector<uint8_t> file(4096);
+    file.resize(sfnt_font::build({file.data(), file.size()}, options));
+    const int32_t choice[] = {
+        2 * i + i / 2, 200, 20,   0, 12, 0, 0, 4, 0, 0, 1, 0, 0,
+        'A' + i,       0,   8 + i};
+    for (const int32_t value : choice) {
+      file.push_back(static_cast<uint8_t>(value));
+    }
+    written &= write_file(
+        folder + "cmap_" + std::to_string(kFormats[i]) + ".seed", file);
+  }
+  return written;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
+  if (argc != 6) {
     fprintf(stderr,
             "usage: fuzz_make_seeds FOLDER FOLDER_OF_OUTLINES "
-            "FOLDER_OF_MOTION FOLDER_OF_STRIKES\n");
+            "FOLDER_OF_MOTION FOLDER_OF_STRIKES FOLDER_OF_TRUETYPE\n");
     return 2;
   }
   const std::string folder = std::string(argv[1]) + "/";
@@ -332,5 +358,6 @@ int main(int argc, char** argv) {
   written &=
       write_moving_seed(moving + "morph_far.seed", 6, false, morphing_font());
   written &= write_strike_seeds(std::string(argv[4]) + "/");
+  written &= write_truetype_seeds(std::string(argv[5]) + "/");
   return written ? 0 : 1;
 }

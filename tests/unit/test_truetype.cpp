@@ -423,8 +423,9 @@ TEST(glyphs_are_prepared) {
               [&](const Painter& painter) { glyph.draw(painter.sink()); });
   CHECK_EQ(count_different(), 0);
   CHECK(PreparedGlyph::make(font, 200, style, kPen, Workspace(ram), glyph) ==
-        Status::no_glyph);
-  CHECK(PreparedGlyph::make(font, 4, style, kPen, {ram, 900}, glyph) ==
+        Status::ok);
+  CHECK(is_empty(glyph.box()));
+  CHECK(PreparedGlyph::make(font, 4, style, kPen, {ram, 860}, glyph) ==
         Status::buffer_small);
 }
 

@@ -38,12 +38,11 @@ struct FontPages {
   int32_t (*kerning)(const FontPages& pages,
                      uint16_t left,
                      uint16_t right) noexcept;
-  // As Font::glyph_metrics(), or the advance alone, of a glyph that page_of()
-  // does not know.
-  Status (*measure)(const FontPages& pages,
-                    uint16_t glyph,
-                    bool is_advance_only,
-                    GlyphMetrics& out) noexcept;
+  // As Font::advance() of a glyph that page_of() does not know, or with `out`
+  // as Font::glyph_metrics(): negative if there is no such glyph.
+  int32_t (*measure)(const FontPages& pages,
+                     uint16_t glyph,
+                     GlyphMetrics* out) noexcept;
 };
 class StoredStore;
 }  // namespace detail
@@ -214,9 +213,6 @@ class Font {
   uint32_t find_run(uint32_t code_point) const noexcept;
   uint32_t find_on_page(uint32_t code_point) const noexcept;
   bool find_row(uint32_t glyph, MetricsRow& row) const noexcept;
-  Status measure(uint16_t glyph,
-                 bool is_advance_only,
-                 GlyphMetrics& out) const noexcept;
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
     return tables_[1];

@@ -30,7 +30,8 @@ class PreparedGlyph {
   /// and 16 rows of 96 px. The picture is that of Painter::glyph.
   ///
   /// buffer_small: the workspace has less than 792 bytes, or 868 where pointers
-  /// have 64 bits. no_glyph: there is no glyph of this id. unsupported: it is
+  /// have 64 bits; of a TrueType file 868 and 968. no_glyph: there is no glyph
+  /// of this id; one that a TrueType file lacks has no ink. unsupported: it is
   /// not one of outlines. `out` is untouched unless the result is ok.
   static Status make(const Font& font,
                      uint16_t glyph,

@@ -274,18 +274,12 @@ bool Font::find_row(uint32_t glyph, MetricsRow& row) const noexcept {
   return true;
 }
 
-// Of a glyph that has no row. Not inline: fonts in ROM have none.
-__attribute__((noinline)) Status Font::measure(
-    uint16_t glyph, bool is_advance_only, GlyphMetrics& out) const noexcept {
-  return pages_ != nullptr
-             ? pages_->measure(*pages_, glyph, is_advance_only, out)
-             : Status::no_glyph;
-}
-
 Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   MetricsRow row;
   if (!find_row(glyph, row)) {
-    return measure(glyph, false, out);
+    return pages_ != nullptr && pages_->measure(*pages_, glyph, &out) >= 0
+               ? Status::ok
+               : Status::no_glyph;
   }
   uint16_t columns[format::metrics::kColumns];
 #if !defined(__OPTIMIZE_SIZE__)
@@ -307,9 +301,7 @@ int32_t Font::advance(uint16_t glyph) const noexcept {
   if (find_row(glyph, row)) {
     return row.advance();
   }
-  GlyphMetrics metrics;
-  static_cast<void>(measure(glyph, true, metrics));
-  return metrics.advance;
+  return pages_ != nullptr ? pages_->measure(*pages_, glyph, nullptr) : 0;
 }
 
 InkBox Font::ink_box(uint16_t glyph) const noexcept {

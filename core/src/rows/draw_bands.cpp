@@ -44,9 +44,12 @@ bool make_plan(const Source& source,
   plan.columns = 1;
   plan.rows = 1;
   plan.sample_bytes = 1;
-  plan.band_kind = band_kind_of(style);
+  plan.band_kind = StyleParts::band_kind(style);
   const Effect* const effect = style.effect();
-  if (!can_fill(source, plan.band_kind)) {
+  if (effect != nullptr && effect->mixer().band_kind != nullptr) {
+    plan.band_kind = effect->mixer().band_kind;
+  }
+  if (plan.band_kind == nullptr) {
     return false;
   }
   const int32_t reach_q8 = plan.band_kind->reach_q8;
@@ -260,26 +263,15 @@ __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
 //
 // Styles that are not fitted have no maps. In the first row they take a frame
 // without room for them.
-// Sources with draw_large() have their own rows.
 void draw_bands(const GlyphCall& call, const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
-  if (call.ref.source->draw_large != nullptr) {
-    call.ref.source->draw_large(call, ram);
-    return;
-  }
   if (ram.size <= kWideBandRam && !call.style.is_fitted()) {
     draw_on_stack(call);
     return;
   }
   if (ram.size < kLeastFittedRam) {
     draw_fitted_on_stack(call, ram);
-  } else {
-    draw_bands_in(ram, call);
-  }
-}
-
-void draw_bands_in(const Workspace& ram, const GlyphCall& call) noexcept {
-  if (prepare_in(ram, call)) {
+  } else if (prepare_in(ram, call)) {
     draw_prepared(*reinterpret_cast<GlyphJob*>(ram.data));
   }
 }
@@ -311,13 +303,12 @@ Status PreparedGlyph::make(const Font& font,
   using namespace detail;
   const Workspace ram = aligned(workspace);
   const Source* const source = font.source();
-  const bool is_large = source != nullptr && source->draw_large != nullptr;
-  if (ram.size < size_t{kLeastFittedRam} + (is_large ? size_t{kLargeRam} : 0)) {
+  // Fonts of such sources count no glyphs.
+  const bool is_large = source != nullptr && source->job_bytes > kMostJob;
+  if (ram.size < (is_large ? kLeastLargeRam : kLeastFittedRam)) {
     return Status::buffer_small;
   }
-  GlyphMetrics metrics;
-  if (is_large ? font.glyph_metrics(glyph, metrics) != Status::ok
-               : glyph >= font.glyph_count()) {
+  if (!is_large && glyph >= font.glyph_count()) {
     return Status::no_glyph;
   }
   if (source == nullptr || source->kind == SourceKind::strikes) {

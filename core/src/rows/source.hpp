@@ -11,7 +11,6 @@
 #include "inkcell/workspace.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
-#include "place/style_parts.hpp"
 #include "rows/band.hpp"
 
 namespace inkcell::detail {
@@ -96,14 +95,11 @@ struct Source {
                   const Placed& placed) noexcept;
   bool (*load)(GlyphJob& job) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
-  uint16_t job_bytes;  // size of the struct, kMostJob at most
+  // Size of the struct. Larger than kMostJob: draw() lends kLeastLargeRam to
+  // draw_bands() at least, and prepare() sets kMostJob bytes at most.
+  uint16_t job_bytes;
   SourceKind kind;
   void (*draw)(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
-  // Finds room for jobs that are larger, of which prepare() sets kMostJob bytes
-  // at most, and for what load() takes more: draws as draw_bands(), by
-  // draw_bands_in(). `ram` is aligned. Null: draw_bands() does it.
-  void (*draw_large)(const GlyphCall& call,
-                     const Workspace& ram) noexcept = nullptr;
 };
 
 // What a band of one column takes of RAM: a word before it, and of the widest
@@ -122,6 +118,10 @@ inline constexpr int32_t kMaps = sizeof(GlyphWarp);
 // about one.
 inline constexpr int32_t kLeastRam = kMostJob + kMostLoaded + kLeastBand;
 inline constexpr int32_t kLeastFittedRam = kLeastRam + kMaps;
+// The same of sources with larger jobs, which load more.
+inline constexpr int32_t kLeastLargeRam =
+    768 + 25 * static_cast<int32_t>(sizeof(void*));
+static_assert(kLeastLargeRam >= kLeastFittedRam, "");
 inline constexpr int32_t kBandRam = 248;
 inline constexpr int32_t kWideBandRam = 488;
 static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
@@ -131,31 +131,11 @@ static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
 // bands; what a smaller one does not hold lies on the stack.
 void draw_bands(const GlyphCall& call, const Workspace& workspace) noexcept;
 
-// What sources with draw_large() take besides kLeastFittedRam.
-inline constexpr int32_t kLargeRam = 88 * sizeof(void*);
-
-// The same where `ram` has room for all.
-void draw_bands_in(const Workspace& ram, const GlyphCall& call) noexcept;
-
 // The same of a run, for Source::draw.
 void draw_banded(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept;
 
 // The pixels that draw_bands() may touch.
 Rect band_box(const GlyphCall& call) noexcept;
-
-// What bands are filled with; null: the style was not made.
-inline const BandKind* band_kind_of(const Style& style) noexcept {
-  const Effect* const effect = style.effect();
-  return effect != nullptr && effect->mixer().band_kind != nullptr
-             ? effect->mixer().band_kind
-             : StyleParts::band_kind(style);
-}
-
-// Whether a source fills bands of a kind.
-inline bool can_fill(const Source& source, const BandKind* kind) noexcept {
-  return kind != nullptr &&
-         (source.kind != SourceKind::areas || kind->bytes == BandBytes::area);
-}
 
 // Whether a style's effect, if it has one, draws glyphs of a source.
 inline bool can_draw(const Source& source, const Style& style) noexcept {

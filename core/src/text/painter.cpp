@@ -49,6 +49,16 @@ using detail::GlyphRun;
 using detail::Placed;
 using detail::RunDrawer;
 
+// Whether bands of a style hold exact areas.
+static bool fills_areas(const Style& style) noexcept {
+  const Effect* const effect = style.effect();
+  const detail::BandKind* const kind =
+      effect != nullptr && effect->mixer().band_kind != nullptr
+          ? effect->mixer().band_kind
+          : detail::StyleParts::band_kind(style);
+  return kind != nullptr && kind->bytes == detail::BandBytes::area;
+}
+
 Status Font::check(const Style& style) const noexcept {
   if (source_ == nullptr) {
     return Status::ok;
@@ -57,7 +67,8 @@ Status Font::check(const Style& style) const noexcept {
       source_->kind == detail::SourceKind::strikes
           ? detail::strike_scale(*this, style) != 0 && style.effect() == nullptr
           : detail::can_draw(*source_, style) &&
-                detail::can_fill(*source_, detail::band_kind_of(style));
+                (source_->kind != detail::SourceKind::areas ||
+                 fills_areas(style));
   return draws ? Status::ok : Status::unsupported;
 }
 

@@ -349,11 +349,10 @@ const Font* StoredStore::font_to_draw(const Font& font,
   return glyph == 0 ? &font : nullptr;
 }
 
-Status StoredStore::measure_none(const FontPages&,
-                                 uint16_t,
-                                 bool,
-                                 GlyphMetrics&) noexcept {
-  return Status::no_glyph;
+int32_t StoredStore::measure_none(const FontPages&,
+                                  uint16_t,
+                                  GlyphMetrics* out) noexcept {
+  return out == nullptr ? 0 : -1;
 }
 
 // Few glyphs kern, and have the lowest ids: others need no read.

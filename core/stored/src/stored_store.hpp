@@ -48,10 +48,9 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   static int32_t kerning_of(const FontPages& pages,
                             uint16_t left,
                             uint16_t right) noexcept;
-  static Status measure_none(const FontPages& pages,
-                             uint16_t glyph,
-                             bool is_advance_only,
-                             GlyphMetrics& out) noexcept;
+  static int32_t measure_none(const FontPages& pages,
+                              uint16_t glyph,
+                              GlyphMetrics* out) noexcept;
 
   Status read_header(uint32_t ram_bytes) noexcept;
   Status open_font(const Coding& coding) noexcept;

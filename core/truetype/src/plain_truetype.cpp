@@ -16,8 +16,8 @@ void fill_plain(GlyphJob& base) noexcept {
 }
 
 constexpr Source kPlainTrueTypeSource = {
-    prepare_glyph,        load_plain,  fill_plain,   sizeof(TrueTypeJob),
-    SourceKind::outlines, draw_banded, draw_truetype};
+    prepare_glyph,       load_plain,           fill_plain,
+    sizeof(TrueTypeJob), SourceKind::outlines, draw_truetype};
 
 }  // namespace
 

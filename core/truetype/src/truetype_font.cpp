@@ -175,19 +175,18 @@ const Font* no_page(const FontPages&, uint32_t&) noexcept {
   return nullptr;
 }
 
-Status measure_glyph(const FontPages& pages,
-                     uint16_t glyph,
-                     bool is_advance_only,
-                     GlyphMetrics& out) noexcept {
+int32_t measure_glyph(const FontPages& pages,
+                      uint16_t glyph,
+                      GlyphMetrics* out) noexcept {
   const TrueTypeFace& face = face_of(pages);
   if (glyph >= face.glyphs) {
-    return Status::no_glyph;
+    return out == nullptr ? 0 : -1;
   }
   const uint32_t last = face.advances - 1u;
-  out.advance = static_cast<int32_t>(
+  const auto advance = static_cast<int32_t>(
       u16_at(face.hmtx, 4 * (glyph < last ? glyph : last)));
-  if (is_advance_only) {
-    return Status::ok;
+  if (out == nullptr) {
+    return advance;
   }
   const Table record = record_of(face, glyph);
   const auto side = [&record](uint32_t i) noexcept {
@@ -195,11 +194,12 @@ Status measure_glyph(const FontPages& pages,
   };
   const int32_t moved =
       record.size == 0 ? 0 : left_bearing_of(face, glyph) - side(0);
-  out.x_min = static_cast<int16_t>(side(0) + moved);
-  out.y_min = static_cast<int16_t>(side(1));
-  out.x_max = static_cast<int16_t>(side(2) + moved);
-  out.y_max = static_cast<int16_t>(side(3));
-  return Status::ok;
+  out->advance = advance;
+  out->x_min = static_cast<int16_t>(side(0) + moved);
+  out->y_min = static_cast<int16_t>(side(1));
+  out->x_max = static_cast<int16_t>(side(2) + moved);
+  out->y_max = static_cast<int16_t>(side(3));
+  return advance;
 }
 
 int32_t kerning_of(const FontPages& pages,
@@ -218,7 +218,7 @@ uint32_t top_of_letter(const TrueTypeFace& face, uint32_t letter) noexcept {
   uint16_t glyph = 0;
   GlyphMetrics metrics;
   return glyph_of_code(face, letter, glyph) == Status::ok &&
-                 measure_glyph(face, glyph, false, metrics) == Status::ok
+                 measure_glyph(face, glyph, &metrics) >= 0
              ? static_cast<uint16_t>(metrics.y_max)
              : 0;
 }
@@ -333,6 +333,7 @@ Status TrueTypeFont::open(Span<const uint8_t> file,
   font_.source_ = coding.source;
   font_.pages_ = &made;
   font_.units_per_em_ = static_cast<uint16_t>(em);
+  font_.coding_.code_bits = 1;  // has_outlines(); no record is read by it
   return Status::ok;
 }
 

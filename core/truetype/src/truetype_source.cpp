@@ -2,7 +2,9 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
+#include "inkcell/assert.hpp"
 #include "inkcell/coding.hpp"
+#include "inkcell/painter.hpp"
 #include "rows/area_painter.hpp"
 
 namespace inkcell {
@@ -13,17 +15,15 @@ namespace {
 constexpr int32_t kFewPoints = 12;
 constexpr int32_t kPointBytes = sizeof(ScreenPoint);
 
-// The least RAM: the job, some points, and twice a band.
-constexpr int32_t kLeastTrueTypeRam =
-    sizeof(TrueTypeJob) + kFewPoints * kPointBytes + 2 * kLeastBand;
-static_assert(kLeastTrueTypeRam <= kLeastFittedRam + kLargeRam);
+static_assert(sizeof(TrueTypeJob) + kFewPoints * kPointBytes + 2 * kLeastBand <=
+              kLeastLargeRam);
 static_assert(sizeof(TrueTypeJob) - TrueTypeGlyph::kWorkBytes <= kMostJob);
 
 // Not inline: its part of the stack is not needed where RAM is lent.
 __attribute__((noinline)) void draw_on_own_stack(
     const GlyphCall& call) noexcept {
-  alignas(GlyphJob) uint8_t bytes[kLeastTrueTypeRam];
-  draw_bands_in({bytes, sizeof bytes}, call);
+  alignas(GlyphJob) uint8_t bytes[kLeastLargeRam];
+  draw_bands(call, {bytes, sizeof bytes});
 }
 
 // Sums of 16 bits hold 136 contours on each other.
@@ -160,9 +160,9 @@ void fill_wide(GlyphJob& base) noexcept {
   saturate(band, wide);
 }
 
-constexpr Source kTrueTypeSource = {
-    prepare_glyph,     load_wide,   fill_wide,    sizeof(TrueTypeJob),
-    SourceKind::areas, draw_banded, draw_truetype};
+constexpr Source kTrueTypeSource = {prepare_glyph,     load_wide,
+                                    fill_wide,         sizeof(TrueTypeJob),
+                                    SourceKind::areas, draw_truetype};
 
 }  // namespace
 
@@ -170,11 +170,19 @@ constexpr Source kTrueTypeSource = {
 extern decltype(cover_areas)* const kTrueTypeCover;
 decltype(cover_areas)* const kTrueTypeCover = cover_areas;
 
-void draw_truetype(const GlyphCall& call, const Workspace& ram) noexcept {
-  if (ram.size < kLeastTrueTypeRam) {
+void draw_truetype(GlyphRun& run,
+                   uint16_t glyph,
+                   const Placed& placed) noexcept {
+  const Font& font = *run.font;
+  const Style& style = *run.style;
+  const Workspace& ram = run.painter.ram();
+  INKCELL_ASSERT(font.check(style) == Status::ok);
+  const GlyphCall call = {
+      {font.source(), &font, glyph}, style, placed, &run.painter.sink()};
+  if (ram.size < kLeastLargeRam + alignof(GlyphJob)) {
     draw_on_own_stack(call);
   } else {
-    draw_bands_in(ram, call);
+    draw_bands(call, ram);
   }
 }
 
@@ -183,7 +191,9 @@ bool prepare_glyph(GlyphJob& base,
                    const Placed& placed) noexcept {
   auto& job = static_cast<TrueTypeJob&>(base);
   InkEnds ink[2];
-  if (!job.outline.find(*static_cast<const Font*>(ref.from), ref.glyph,
+  // Distances are refused by check() where contours may overlap.
+  if ((job.source->kind == SourceKind::areas && job.guards != 0) ||
+      !job.outline.find(*static_cast<const Font*>(ref.from), ref.glyph,
                         *job.style, ink, job.band.is_mirrored)) {
     return false;
   }

@@ -13,7 +13,7 @@ struct __attribute__((may_alias)) TrueTypeJob : GlyphJob {
   uint16_t count;  // of points that there are, or that there is room for
   ScreenPoint* points;
   OutlineCursor cursor;
-  TrueTypeGlyph outline;  // last: see Source::draw_large
+  TrueTypeGlyph outline;  // last: see Source::job_bytes
 
   // Room that is free once all points are read.
   uint8_t* free_bytes() noexcept {
@@ -29,6 +29,8 @@ bool prepare_glyph(GlyphJob& job,
                    const Placed& placed) noexcept;
 bool load_glyph(GlyphJob& job, int32_t tenths) noexcept;
 void fill_glyph(TrueTypeJob& job, PaintPoints* paint) noexcept;
-void draw_truetype(const GlyphCall& call, const Workspace& ram) noexcept;
+void draw_truetype(GlyphRun& run,
+                   uint16_t glyph,
+                   const Placed& placed) noexcept;
 
 }  // namespace inkcell::detail
