@@ -305,7 +305,8 @@ Status PreparedGlyph::make(const Font& font,
   const Source* const source = font.source();
   // Fonts of such sources count no glyphs.
   const bool is_large = source != nullptr && source->job_bytes > kMostJob;
-  if (ram.size < (is_large ? kLeastLargeRam : kLeastFittedRam)) {
+  if (ram.size <
+      (is_large ? size_t{kLeastLargeRam} : size_t{kLeastFittedRam})) {
     return Status::buffer_small;
   }
   if (!is_large && glyph >= font.glyph_count()) {

@@ -74,7 +74,7 @@ FONT_OPTIONS = ["--chars=0x20-0x7E"]
 LIBRARIES = {"cache": "core/cache", "field": "core/field",
              "layout": "core/layout", "motion": "core/motion",
              "simulation": "core/simulation", "stored": "core/stored",
-             "strike": "core/strike", "c": "port/c"}
+             "strike": "core/strike", "truetype": "core/truetype", "c": "port/c"}
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 

@@ -47,7 +47,8 @@ def build(work, _, fontgen):
     size = size_of(folder / "app.elf")
 
     (folder / "of_c.mk").write_text(OF_C)
-    of_c = [*make, "-f", "of_c.mk", "INKCELL_LIBRARIES=c simulation stored strike"]
+    of_c = [*make, "-f", "of_c.mk",
+            "INKCELL_LIBRARIES=c simulation stored strike truetype"]
     listed = call(*of_c).split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
