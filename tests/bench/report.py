@@ -233,7 +233,7 @@ def stack_table(results):
 
 def codings_table(results, figures, smallest):
     """The codings side by side."""
-    names = unique(r["coding"] for r in results if "coding" in r)
+    names = unique(r["coding"] for r in results if r.get("coding") in ALL)
     first = results[0]["font"]
 
     def of(coding, cpu, way="upright", field="instructions_mean"):

@@ -68,6 +68,25 @@ class Tools(FolderCase):
         self.assertEqual(rom.pixels, ttf.pixels)
         self.assertGreater(rom.ink(), 255 * 100)
 
+    def test_draws_truetype_files_as_they_are(self):
+        options = ("--text", "AVToal.", "--px", 32, "--hint", "none",
+                   "--filter", "area")
+        rom = self.render(*options, font=self.fonts["outline"])
+        out = self.path / "run_time.pgm"
+        run("render", "--run-time", SANS, "--out", out, *options)
+        drawn = Pgm(out)
+        self.assertEqual(len(rom.pixels), len(drawn.pixels))
+        # The generator moves outlines within 16/255, this draws the file's.
+        self.assertLessEqual(max(abs(a - b) for a, b in
+                                 zip(rom.pixels, drawn.pixels)), 24)
+        draw = ("--text", "a", "--px", 12, "--out", out)
+        self.refused("--run-time draws exact coverage", "render", "--run-time",
+                     SANS, "--filter", "text", *draw)
+        self.refused("takes no --max-px", "render", "--run-time", SANS,
+                     "--max-px", 20, *draw)
+        self.refused("no whole TrueType file", "render", "--run-time",
+                     self.font, *draw)
+
     def test_strips_do_not_show(self):
         for coding, angle in itertools.product(CODINGS, (0, 30)):
             pictures = {
