@@ -66,7 +66,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option("--run-time", arguments.run_time,
                  "Instead of --font: a TrueType file that is drawn as it is,\n"
-                 "with --filter area")
+                 "by --filter area")
       ->type_name("FILE.ttf");
   app.add_option("--text", arguments.text,
                  "What to draw; a line feed begins a new line");
@@ -284,16 +284,19 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_hint(arguments.look, is_turned(arguments.angle), "--angle");
   const AnyFile file(arguments, conversion);
   const Font& font = file.font();
-  const Look look(arguments.look, font, arguments.px, arguments.angle,
-                  Use::text);
+  LookOptions options = arguments.look;
+  if (file.truetype() != nullptr) {
+    if (!options.filter.empty() && options.filter != "area") {
+      throw std::runtime_error(
+          "--run-time draws exact coverage, and takes no --filter " +
+          options.filter + " but area");
+    }
+    options.filter = "area";
+  }
+  const Look look(options, font, arguments.px, arguments.angle, Use::text);
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
   const Style& style = look.style();
-  if (font.check(style) != Status::ok) {
-    throw std::runtime_error(
-        "--run-time draws exact coverage: take --filter area, and no effect of "
-        "distances");
-  }
   const std::vector<Line> lines =
       lay_out_lines(font, arguments.text,
                     arguments.kerning == "off" ? Kerning::none : Kerning::font,

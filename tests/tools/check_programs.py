@@ -80,7 +80,7 @@ class Tools(FolderCase):
         self.assertLessEqual(max(abs(a - b) for a, b in
                                  zip(rom.pixels, drawn.pixels)), 24)
         draw = ("--text", "a", "--px", 12, "--out", out)
-        self.refused("--run-time draws exact coverage", "render", "--run-time",
+        self.refused("draws exact coverage", "render", "--run-time",
                      SANS, "--filter", "text", *draw)
         self.refused("takes no --max-px", "render", "--run-time", SANS,
                      "--max-px", 20, *draw)
