@@ -326,9 +326,9 @@ TEST(strips_and_ram_change_no_picture) {
         draw_all(font.font(), style, painter);
       };
       draw_strips(expected, kHeight, Workspace(ram), draw);
-      for (const size_t bytes : each_of<size_t>({0, 700, 900, 1100, 1500})) {
-        for (const int32_t rows : each_of({1, 5, kHeight})) {
-          draw_strips(drawn, rows, {ram, bytes}, draw);
+      for (const int32_t bytes : each_of({0, 700, 900, 1100, 1500})) {
+        for (const int32_t rows : each_of<int32_t>({1, 5, kHeight})) {
+          draw_strips(drawn, rows, {ram, static_cast<size_t>(bytes)}, draw);
           CHECK_EQ(count_different(), 0);
         }
       }
