@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/encode.hpp"
+#include "app/options.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/painter.hpp"
@@ -214,6 +216,36 @@ TEST(Strikes, AreRefusedWithARemedy) {
   request.target.coding = Coding::outline;
   request.paged = 512;
   EXPECT_TRUE(contains(error_of([&] { generate(request); }), "mapped memory"));
+}
+
+TEST(Strikes, AreNamedBySizeAndBits) {
+  const StrikeTarget plain = parse_strike("12:1");
+  EXPECT_EQ(plain.px, 12);
+  EXPECT_EQ(plain.bits, 1);
+  EXPECT_EQ(plain.fit, StrikeFit::both);
+  EXPECT_EQ(parse_strike("255:4:vertical").fit, StrikeFit::heights);
+  EXPECT_EQ(parse_strike("4:2:none").fit, StrikeFit::none);
+  for (const char* wrong : {"", "12", "12:", "12:3", "3:1", "256:1", "12:1:",
+                            "12:1:left", "12:1:vertical", ":1", "12:4x"}) {
+    EXPECT_THROW(parse_strike(wrong), CLI::ValidationError) << wrong;
+  }
+}
+
+// The header names the coding that opens the font.
+TEST(Strikes, AreOpenedByTheCodingInTheHeader) {
+  const auto header = [](const std::vector<StrikeTarget>& strikes, bool alone) {
+    return encode(font_with(strikes, alone, "A"), OutputFormat::hpp, "a");
+  };
+  const StrikeTarget bits = {12, 1, StrikeFit::both};
+  const StrikeTarget greys = {12, 4, StrikeFit::both};
+  EXPECT_TRUE(contains(header({bits}, true), " inkcell::kBitStrikeCoding;"));
+  EXPECT_TRUE(contains(header({greys}, true), " inkcell::kStrikeCoding;"));
+  EXPECT_TRUE(
+      contains(header({bits}, false), " inkcell::kOutlineBitStrikeCoding;"));
+  const std::string both = header({bits, greys}, false);
+  EXPECT_TRUE(contains(both, " inkcell::kOutlineStrikeCoding;"));
+  EXPECT_TRUE(contains(both, "\"inkcell/strike/outline_strike.hpp\""));
+  EXPECT_EQ(header({}, false).find("oding"), std::string::npos);
 }
 
 // Beside outlines glyphs that are too large for pictures are drawn from them.
