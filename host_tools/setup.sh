@@ -38,7 +38,7 @@ inkcell_packages_site="python3 doxygen mkdocs python3-pygments"
 inkcell_packages_first="$inkcell_packages_demo
   git ccache libgtest-dev unicode-data fonts-roboto-unhinted fonts-liberation
   fonts-inter-variable fonts-lato fonts-noto-cjk
-  fonts-lohit-deva fonts-tlwg-loma-ttf"
+  fonts-lohit-deva fonts-tlwg-loma-ttf unifont"
 
 inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio
   clang lld nodejs make meson

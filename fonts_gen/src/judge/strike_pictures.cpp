@@ -183,6 +183,9 @@ DrawnStrike draw_strike(const SourceFont& source,
         return value_of(canvas.at(x, y), target.bits);
       });
     }
+    if (!picture.is_in_format()) {
+      drawn.too_large.push_back(i);
+    }
     drawn.strike.pictures.push_back(picture.is_in_format() ? std::move(picture)
                                                            : Picture());
     if (drawn.is_whole) {

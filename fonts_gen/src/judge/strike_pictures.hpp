@@ -16,6 +16,7 @@ Status open_font(const std::vector<uint8_t>& bytes, Font& out);
 /// What the device makes of a font of outlines at one size.
 struct DrawnStrike {
   RomStrike strike;
+  std::vector<size_t> too_large;  // glyphs for which the format has no room
   /// Whether its advances and its kerning are whole pixels; there are none
   /// otherwise.
   bool is_whole = false;

@@ -86,19 +86,15 @@ RomContent alone(const RomContent& content, const DrawnStrike& drawn) {
   return made;
 }
 
-// Refuses glyphs that have outlines and no picture: nothing else shows them.
-void check_room(const SourceFont& font,
-                const RomContent& content,
-                const RomStrike& strike) {
-  for (size_t i = 0; i < strike.pictures.size(); ++i) {
-    if (strike.pictures[i].empty() && content.glyphs[i].has_ink() &&
-        strike.target.px >= 64) {
-      throw Error(font.glyphs[i].file_name + ": " + font.glyphs[i].name() +
-                  ": its picture at " + std::to_string(strike.target.px) +
-                  " px is larger than 255 px or begins further than 128 px "
-                  "from its origin; " +
-                  font.glyphs[i].remedy("take a smaller --strike"));
-    }
+// Refuses glyphs that nothing else would show.
+void check_room(const SourceFont& font, const DrawnStrike& drawn) {
+  if (!drawn.too_large.empty()) {
+    const SourceGlyph& glyph = font.glyphs[drawn.too_large.front()];
+    throw Error(glyph.file_name + ": " + glyph.name() + ": its picture at " +
+                std::to_string(drawn.strike.target.px) +
+                " px is larger than 255 px or begins further than 128 px from "
+                "its origin; " +
+                glyph.remedy("take a smaller --strike"));
   }
 }
 
@@ -141,7 +137,7 @@ void add_strikes(const GenerateRequest& request,
     strikes.push_back(drawn.strike);
     check_strike_alone(made, write_rom_font(made, parts), strikes.back());
     if (is_alone) {
-      check_room(font, content, strikes.back());
+      check_room(font, drawn);
       content = std::move(made);
       return;
     }
