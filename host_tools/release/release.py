@@ -3,7 +3,8 @@ all times are SOURCE_DATE_EPOCH, by default that of the commit.
 
 Each piece has LICENSE, a list of what it holds (SPDX 2.3) and a line in SHA256SUMS.
 The folder is emptied first. Fonts are kept in build/release-fonts until what makes
-them changes, and take many minutes else; the rest takes a minute.
+them changes, and take many minutes else. So does compiling the generator for each
+system, in build/web, the first time; the rest takes a minute.
 
 {pieces}
 """
