@@ -3,7 +3,7 @@
 # and displays, and the libraries of libraries.kconfig.
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(parts ${root}/core ${root}/port/pixel ${root}/port/display)
-foreach(name cache field layout motion simulation stored strike truetype)
+foreach(name cache field layout motion shaping simulation stored strike truetype)
   string(TOUPPER ${name} option)
   if(CONFIG_INKCELL_${option})
     list(APPEND parts ${root}/core/${name})

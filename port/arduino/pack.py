@@ -17,8 +17,8 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 # Arduino compiles all that a library has; the linker drops what is not called.
-LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored",
-             "strike", "truetype")
+LIBRARIES = ("cache", "field", "layout", "motion", "shaping",
+             "simulation", "stored", "strike", "truetype")
 # Folders below the project's, and where their content goes below src/.
 FOLDERS = {"core/include": ".", "core/src": ".",
            **{f"core/{name}/include": "." for name in LIBRARIES},

@@ -21,7 +21,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Rooms that may change at any time stay out.
 ROOMS = ("core", "core/cache", "core/field", "core/layout", "core/motion",
-         "core/stored", "core/strike", "core/truetype", "port/pixel",
+         "core/shaping", "core/stored", "core/strike", "core/truetype", "port/pixel",
          "port/display")
 INCLUDE = re.compile(r'#include ["<]([\w/.]+)[">]')
 HEAD = """// Inkcell {version}: {what}.

@@ -15,7 +15,7 @@ MAKE_API = [sys.executable, "-B", ROOT / "port/c/make_api.py"]
 subprocess.run([*MAKE_API, MADE], check=True)
 
 # The folders of core that are libraries of their own, each before those that use it.
-LIBRARIES = ("cache", "field", "layout", "motion", "simulation", "stored",
+LIBRARIES = ("cache", "field", "layout", "motion", "shaping", "simulation", "stored",
              "strike", "truetype")
 
 # What most tests make fonts of.

@@ -92,6 +92,7 @@ inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
 inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
 inline constexpr uint32_t kMorphs = tag('M', 'O', 'R', 'P');
 inline constexpr uint32_t kStrikes = tag('S', 'T', 'R', 'K');
+inline constexpr uint32_t kShaping = tag('S', 'H', 'A', 'P');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
 
@@ -379,5 +380,93 @@ inline constexpr uint32_t kBoxes = 24;  // u32 [bytes] from the section's start
 inline constexpr uint32_t kPictures = 28;  // u32, likewise, modulo 2^32
 inline constexpr uint32_t kBytes = 32;
 }  // namespace strike
+
+// SHAP: how text of some scripts is shaped. After the header one run of bit
+// tables, in the order of docs/FORMAT.md.
+namespace shaping {
+inline constexpr uint32_t kLookups = 0;        // u16
+inline constexpr uint32_t kTopLookups = 2;     // u16, the first ones
+inline constexpr uint32_t kSets = 4;           // u16
+inline constexpr uint32_t kRows = 6;           // u16, 1..256
+inline constexpr uint32_t kCompositions = 8;   // u16
+inline constexpr uint32_t kCharacters = 10;    // u16
+inline constexpr uint32_t kEntries = 12;       // u16
+inline constexpr uint32_t kGlyphs = 14;        // u16, that have a row
+inline constexpr uint32_t kSteps = 16;         // u16, at most, a character
+inline constexpr uint32_t kPrograms = 18;      // u8
+inline constexpr uint32_t kScripts = 19;       // u8
+inline constexpr uint32_t kSpans = 20;         // u8
+inline constexpr uint32_t kProperties = 21;    // u8
+inline constexpr uint32_t kMarks = 22;         // u8
+inline constexpr uint32_t kMirrors = 23;       // u8
+inline constexpr uint32_t kGlyphBits = 24;     // u8, 0..16
+inline constexpr uint32_t kRankBits = 25;      // u8, 0..8
+inline constexpr uint32_t kMarkBits = 26;      // u8, 0..8
+inline constexpr uint32_t kLetterBits = 27;    // u8, 0..16
+inline constexpr uint32_t kOffsetBits = 28;    // u8, 0..25
+inline constexpr uint32_t kPropertyBits = 29;  // u8, 0..8
+inline constexpr uint32_t kLookupBits = 30;    // u8, 0..16
+inline constexpr uint32_t kSetBits = 31;       // u8, 0..16
+inline constexpr uint32_t kRowBits = 32;       // u8, 0..8
+inline constexpr uint32_t kBytes = 33;
+
+// Widths. [bits]
+inline constexpr uint32_t kCodeBits = 21;
+inline constexpr uint32_t kCountBits = 16;
+inline constexpr uint32_t kScriptRow = 2 * kCodeBits + 8;
+inline constexpr uint32_t kProgramRow = 4 * 16 + 8 + 16 + 8 + 8;
+inline constexpr uint32_t kSpanRow = kCodeBits + 2 * kCountBits;
+inline constexpr uint32_t kMaskBits = 5;
+inline constexpr uint32_t kJoiningBits = 3;
+inline constexpr uint32_t kTypeBits = 4;
+inline constexpr uint32_t kSkipBits = 3;
+inline constexpr uint32_t kClassBits = 2;
+inline constexpr uint32_t kRuleBits = 4;  // how long the parts of a rule are
+
+// Flags of a program.
+inline constexpr uint32_t kRightToLeft = 1;
+inline constexpr uint32_t kJoins = 2;
+inline constexpr uint32_t kThai = 4;
+inline constexpr uint32_t kHebrew = 8;
+
+// Joining types; from kMark on it is a mark.
+inline constexpr uint32_t kJoinsNone = 0;
+inline constexpr uint32_t kJoinsRight = 1;
+inline constexpr uint32_t kJoinsDual = 2;
+inline constexpr uint32_t kJoinsLeft = 3;
+inline constexpr uint32_t kLowMark = 4;  // Hebrew: meteg, and marks below
+inline constexpr uint32_t kMark = 5;
+inline constexpr uint32_t kWideMark = 6;    // Hebrew: patah, qamats
+inline constexpr uint32_t kNarrowMark = 7;  // Hebrew: sheva, hiriq
+
+// Forms, and with them bits of masks.
+inline constexpr uint32_t kAnyForm = 1;
+inline constexpr uint32_t kIsolated = 2;
+inline constexpr uint32_t kFinal = 4;
+inline constexpr uint32_t kMedial = 8;
+inline constexpr uint32_t kInitial = 16;
+
+// Types of lookups.
+inline constexpr uint32_t kSingle = 1;
+inline constexpr uint32_t kMultiple = 2;
+inline constexpr uint32_t kLigatures = 4;
+inline constexpr uint32_t kContext = 6;
+inline constexpr uint32_t kReverse = 8;
+inline constexpr uint32_t kAdjust = 9;  // from there on: positions
+inline constexpr uint32_t kPairs = 10;
+inline constexpr uint32_t kCursive = 11;
+inline constexpr uint32_t kMarkToBase = 12;
+inline constexpr uint32_t kMarkToLigature = 13;
+inline constexpr uint32_t kMarkToMark = 14;
+inline constexpr uint32_t kPositionContext = 15;
+
+/// Lookups within lookups, at most.
+inline constexpr uint32_t kMaxDepth = 4;
+/// The marks of one letter that are put in order.
+inline constexpr uint32_t kMaxMarks = 32;
+/// Glyphs of a ligature, and glyphs that a context may change.
+inline constexpr uint32_t kMaxInput = 15;
+inline constexpr uint32_t kMaxSteps = 1024;
+}  // namespace shaping
 
 }  // namespace inkcell::format
