@@ -9,6 +9,7 @@
 #include "pictures.hpp"
 #include "program.hpp"
 #include "report.hpp"
+#include "runs.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -21,6 +22,7 @@ struct Arguments {
   std::string points;
   std::string field;
   std::string sheet;
+  std::string run_file;
   int side = 1000;
   double px = 32;
   bool json = false;
@@ -52,6 +54,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--sheet", arguments.sheet, "Draw all glyphs")
       ->type_name("OUT.png");
+  app.add_option("--run-file", arguments.run_file,
+                 "Shape each line of a file as the device does, and print the "
+                 "glyphs of each as a line of JSON, from left to right; for "
+                 "fonts made with --shape")
+      ->type_name("WORDS.txt");
   app.add_option("--px", arguments.px, "Size on the sheet [px/em]")
       ->capture_default_str();
   app.add_flag("--json", arguments.json, "Print JSON instead of text");
@@ -109,6 +116,10 @@ bool run(const Arguments& arguments, const CLI::App& app) {
       arguments.glyph.size() > 1 && arguments.glyph[0] == '#' ? std::string()
                                                               : arguments.glyph,
       Damaged::shown);
+  if (!arguments.run_file.empty()) {
+    print_runs(rom.font(), arguments.run_file);
+    return true;
+  }
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);

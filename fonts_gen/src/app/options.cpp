@@ -209,6 +209,11 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
                           "parted by blanks: '01 12 23'; about 30 bytes a "
                           "pair; repeatable"))
       ->type_name("STRING");
+  app.add_option("--shape", request.shapes,
+                 "(outline) Scripts that the device shapes at run time, with "
+                 "languages in capitals and further features: "
+                 "arab:FAS,URD,hebr,thai,latn+smcp")
+      ->type_name("LIST");
   app.add_option(
          "--paged", request.paged,
          "For storage that is not mapped, such as an SD card: blocks of "

@@ -205,6 +205,9 @@ std::string report_for_people(const FontReport& report) {
   part("metrics", bytes.metrics);
   part("kerning", bytes.kerning);
   part("hints", bytes.hints);
+  if (bytes.shaping != 0) {
+    part("shaping", bytes.shaping);
+  }
   if (bytes.morphs != 0) {
     part("morphs", bytes.morphs);
   }
@@ -291,8 +294,9 @@ std::string report_as_json(const FontReport& report) {
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
-                   {"morphs", bytes.morphs},   {"strikes", bytes.strikes},
-                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
+                   {"morphs", bytes.morphs},   {"shaping", bytes.shaping},
+                   {"strikes", bytes.strikes}, {"glyphs", bytes.glyphs},
+                   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;
   json["composite_bytes"] = report.composite_bytes;

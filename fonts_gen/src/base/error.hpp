@@ -42,6 +42,7 @@ struct Warning {
     default_instance,    // a variable font is converted at its defaults
     unshaped,            // a text needs shaping, which a device does not
     no_morph,            // a pair of glyphs or masters has no morph
+    shaping_dear,        // a script takes much work on the device
   };
   Kind kind;
   std::string text;

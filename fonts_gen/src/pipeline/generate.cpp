@@ -10,6 +10,7 @@
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
 #include "pipeline/font_morphs.hpp"
+#include "pipeline/font_shaping.hpp"
 #include "pipeline/font_strikes.hpp"
 #include "pipeline/missing.hpp"
 #include "pipeline/unshaped.hpp"
@@ -186,6 +187,9 @@ SourceFont load_source(const GenerateRequest& request,
     first.axes = request.axes;
     asked = characters_of(request);
     first.characters = asked.all;
+    if (!request.shapes.empty()) {
+      first.shapes = parse_shape_scripts(request.shapes);
+    }
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = true;
@@ -251,7 +255,7 @@ RomFont generate(const GenerateRequest& request) {
     tell_of_kerning(content, parts, rom.warnings);
     check_paged_font(rom.bytes, content);
   } else {
-    rom.bytes = write_rom_font(content, parts);
+    rom.bytes = write_shaped_font(request, font, content, parts, rom.warnings);
     check_rom_font(rom.bytes, content);
   }
   rom.strings = shaped_strings(strings, font);

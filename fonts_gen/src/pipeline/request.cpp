@@ -111,6 +111,15 @@ void check_request(const GenerateRequest& request) {
       {request.strike_only && (has_morphs || has_masters),
        "--strike-only leaves no outlines that morph; leave --morph and --axis "
        "with two values out, or --strike-only"},
+      {is_paged && !request.shapes.empty(),
+       "--shape needs a font in mapped memory; leave --paged out, or shape "
+       "text with another font"},
+      {!is_outline && !request.shapes.empty(),
+       "--shape is for outlines; leave --coding field out"},
+      {!has_font && !request.shapes.empty(),
+       "--shape needs a font file; add --font FILE"},
+      {request.strike_only && !request.shapes.empty(),
+       "--shape is for outlines; leave --strike-only out"},
       {is_outline && target.predicate == Predicate::fixed,
        "--predicate fixed is the paper's, for its cells; use --coding field"}};
   for (const auto& [is_broken, what] : rules) {

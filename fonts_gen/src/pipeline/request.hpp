@@ -61,6 +61,8 @@ struct GenerateRequest {
   /// Groups of characters, UTF-8, parted by blanks: all of a group morph into
   /// each other.
   std::vector<std::string> morphs;
+  /// Scripts that the device shapes, as parse_shape_scripts() reads them.
+  std::string shapes;
   /// Bytes of a block of a font for storage that is not mapped: 512, 1024, 2048
   /// or 4096; 0: the font is for mapped memory.
   int paged = 0;

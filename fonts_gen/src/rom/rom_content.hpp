@@ -62,6 +62,7 @@ struct RomContent {
   KerningMatrix kerning;
   FontHints hints;               // of outlines only
   std::vector<RomMorph> morphs;  // ascending by first and second
+  std::vector<uint8_t> shaping;  // section SHAP; empty: there is none
   std::vector<RomStrike> strikes;
   size_t first_master = 0;  // of the second masters; 0: there are none
   /// A block of a paged font; 0: it lies in mapped memory. [bytes]

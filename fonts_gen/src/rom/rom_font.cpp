@@ -308,6 +308,7 @@ std::vector<FontSection> make_sections(const RomContent& content) {
         &PartBytes::strikes);
   }
   add(section::kMorphs, 0, morphs_section(content), &PartBytes::morphs);
+  add(section::kShaping, 0, content.shaping, &PartBytes::shaping);
   if (content.options.coding != Coding::strike) {
     add(section::kName, 0, name_section(content), &PartBytes::name);
   }

@@ -17,13 +17,14 @@ struct PartBytes {
   size_t kerning = 0;
   size_t hints = 0;  // also those at the end of records
   size_t morphs = 0;
+  size_t shaping = 0;
   size_t strikes = 0;
   size_t glyphs = 0;  // records and offsets; of outlines the code table, too
   size_t name = 0;
 
   size_t total() const {
-    return header + cmap + metrics + kerning + hints + morphs + strikes +
-           glyphs + name;
+    return header + cmap + metrics + kerning + hints + morphs + shaping +
+           strikes + glyphs + name;
   }
 };
 

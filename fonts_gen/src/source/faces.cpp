@@ -353,6 +353,13 @@ SourceFont load_faces(const FontRequest& first,
   FontRequest request = first;
   request.lines = shares.front();
   request.characters.merge(characters_in(files.front(), added));
+  if (!request.shapes.empty()) {
+    const auto plans = shape_plans(files.front(), request.shapes);
+    request.characters.merge(characters_in(
+        files.front(), shape_additions(plans, request.characters)));
+    request.lines.glyphs.merge(
+        shape_closure(files.front(), plans, request.characters));
+  }
   SourceFont font = load_font(files.front(), request, jobs, warnings);
   tell_of_default(files.front(), !first.axes.empty() || !first.instance.empty(),
                   "--instance NAME or --axis TAG=VALUE", warnings);

@@ -17,6 +17,7 @@
 #include "source/kerning.hpp"
 #include "source/line_shaper.hpp"
 #include "source/picture.hpp"
+#include "source/shape_script.hpp"
 
 namespace inkcell::gen {
 
@@ -51,6 +52,8 @@ struct FontRequest {
   /// Also add components of other glyphs, such as accents: at the end of the
   /// list, without code points.
   bool with_components = false;
+  /// Scripts that the device shapes with the glyphs of this face.
+  std::vector<ShapeScript> shapes;
 };
 
 /// Metrics of the face, in font units, y up.
