@@ -44,7 +44,8 @@ inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio
   clang lld nodejs make meson
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
-  fonts-dejavu-extra fonts-inter
+  fonts-dejavu-extra fonts-inter fonts-noto-core libharfbuzz-bin
+  hunspell-ar hunspell-he hunspell-th hunspell-vi aspell aspell-fa
   librsvg2-bin xvfb xdotool fontmake
   $inkcell_packages_reading $inkcell_packages_site"
 

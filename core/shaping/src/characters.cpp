@@ -1,3 +1,4 @@
+// Characters in the order and the forms in which they are drawn.
 #include "shaper.hpp"
 
 namespace inkcell::detail {

@@ -1,3 +1,4 @@
+// Lookups that move glyphs.
 #include "shaper.hpp"
 
 namespace inkcell::detail {

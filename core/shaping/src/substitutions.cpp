@@ -1,3 +1,4 @@
+// Lookups that replace glyphs.
 #include "shaper.hpp"
 
 namespace inkcell::detail {

@@ -1,5 +1,4 @@
-#include "inkcell/shaping/shaping.hpp"
-#include "shaper.hpp"
+#include "tables.hpp"
 
 namespace inkcell::detail {
 
