@@ -43,8 +43,8 @@ bool Shaper::spend(uint32_t steps) noexcept {
 }
 
 void Shaper::load(uint32_t number, ShapeLookup& out) const noexcept {
-  const uint32_t set_bits = u8(at::kSetBits);
-  const uint32_t offset_bits = u8(at::kOffsetBits);
+  const uint32_t set_bits = bits_of(at::kSetBits);
+  const uint32_t offset_bits = bits_of(at::kOffsetBits);
   out = ShapeLookup();
   if (number >= u16(at::kLookups)) {
     return;
@@ -60,7 +60,7 @@ void Shaper::load(uint32_t number, ShapeLookup& out) const noexcept {
 
 // Lookups of the program, each over the whole run.
 void Shaper::run_entries(uint32_t first, uint32_t count) noexcept {
-  const uint32_t lookup_bits = u8(at::kLookupBits);
+  const uint32_t lookup_bits = bits_of(at::kLookupBits);
   const uint32_t top = u16(at::kTopLookups);
   for (uint32_t k = first; k < first + count && k < u16(at::kEntries); ++k) {
     uint32_t bit = t_.entries + k * (lookup_bits + at::kMaskBits + 1);

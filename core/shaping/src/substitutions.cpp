@@ -188,7 +188,7 @@ int32_t Shaper::match_input(const ShapeLookup& lookup,
                             uint32_t sets,
                             int32_t count,
                             uint16_t* places) noexcept {
-  const uint32_t set_bits = u8(at::kSetBits);
+  const uint32_t set_bits = bits_of(at::kSetBits);
   int32_t at_glyph = places[0];
   for (int32_t k = 1; k <= count; ++k, sets += set_bits) {
     at_glyph =
@@ -206,7 +206,7 @@ bool Shaper::match_around(const ShapeLookup& lookup,
                           int32_t count,
                           int32_t from,
                           int32_t step) noexcept {
-  const uint32_t set_bits = u8(at::kSetBits);
+  const uint32_t set_bits = bits_of(at::kSetBits);
   for (; count != 0; --count, sets += set_bits) {
     from = find_next(lookup, from, step, Want::set, get(sets, set_bits), true);
     if (from < 0) {
@@ -220,8 +220,8 @@ bool Shaper::match_around(const ShapeLookup& lookup,
 int32_t Shaper::apply_context(const ShapeLookup& lookup,
                               int32_t i,
                               uint32_t depth) noexcept {
-  const uint32_t set_bits = u8(at::kSetBits);
-  const uint32_t lookup_bits = u8(at::kLookupBits);
+  const uint32_t set_bits = bits_of(at::kSetBits);
+  const uint32_t lookup_bits = bits_of(at::kLookupBits);
   uint16_t places[kMostInput + 1];
   uint32_t bit = lookup.at;
   for (uint32_t rule = 0; rule < lookup.count && spend(); ++rule) {
@@ -256,7 +256,7 @@ int32_t Shaper::apply_rule(uint32_t actions,
                            uint16_t* places,
                            int32_t inputs,
                            uint32_t depth) noexcept {
-  const uint32_t lookup_bits = u8(at::kLookupBits);
+  const uint32_t lookup_bits = bits_of(at::kLookupBits);
   int32_t end = places[inputs - 1] + 1;
   for (; count != 0 && status_ == Status::ok; --count) {
     const auto number = static_cast<int32_t>(take(actions, at::kRuleBits));
@@ -308,7 +308,7 @@ int32_t Shaper::apply_rule(uint32_t actions,
 // Rules of sets on both sides and pairs of glyphs, from the end of a run on.
 bool Shaper::replace_backwards(const ShapeLookup& lookup, int32_t i) noexcept {
   const uint32_t width = glyph_bits();
-  const uint32_t set_bits = u8(at::kSetBits);
+  const uint32_t set_bits = bits_of(at::kSetBits);
   uint32_t bit = lookup.at;
   for (uint32_t rule = 0; rule < lookup.count && spend(); ++rule) {
     const uint32_t before = take(bit, at::kRuleBits);

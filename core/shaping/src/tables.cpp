@@ -10,7 +10,7 @@ bool ShapeTables::open(Span<const uint8_t> section) noexcept {
   }
   bytes = section;
   const ShapeReader reader(*this);
-  const uint32_t glyph_bits = reader.glyph_bits();
+  const uint32_t glyph_bits = reader.u8(at::kGlyphBits);
   const uint32_t letter_bits = reader.u8(at::kLetterBits);
   const uint32_t mark_bits = reader.u8(at::kMarkBits);
   const uint32_t rank_bits = reader.u8(at::kRankBits);
@@ -75,9 +75,9 @@ CharacterTraits ShapeReader::traits(uint32_t code_point) const noexcept {
     if (place >= count) {
       continue;
     }
-    const uint32_t rank_bits = u8(at::kRankBits);
-    const uint32_t mark_bits = u8(at::kMarkBits);
-    const uint32_t property_bits = u8(at::kPropertyBits);
+    const uint32_t rank_bits = bits_of(at::kRankBits);
+    const uint32_t mark_bits = bits_of(at::kMarkBits);
+    const uint32_t property_bits = bits_of(at::kPropertyBits);
     const uint32_t property =
         get(t_.characters + (get(bit, at::kCountBits) + place) * property_bits,
             property_bits);
@@ -101,8 +101,8 @@ uint32_t ShapeReader::mirrored(uint32_t code_point) const noexcept {
 }
 
 uint32_t ShapeReader::composed(uint32_t letter, uint32_t mark) const noexcept {
-  const uint32_t mark_bits = u8(at::kMarkBits);
-  const uint32_t letter_bits = u8(at::kLetterBits);
+  const uint32_t mark_bits = bits_of(at::kMarkBits);
+  const uint32_t letter_bits = bits_of(at::kLetterBits);
   const BitTable table = {&t_.bytes, t_.compositions,
                           mark_bits + 2 * letter_bits};
   if (letter >> letter_bits != 0) {
@@ -119,8 +119,8 @@ uint32_t ShapeReader::composed(uint32_t letter, uint32_t mark) const noexcept {
 bool ShapeReader::decompose(uint32_t composed,
                             uint32_t& letter,
                             uint32_t& mark) const noexcept {
-  const uint32_t mark_bits = u8(at::kMarkBits);
-  const uint32_t letter_bits = u8(at::kLetterBits);
+  const uint32_t mark_bits = bits_of(at::kMarkBits);
+  const uint32_t letter_bits = bits_of(at::kLetterBits);
   const uint32_t count = u16(at::kCompositions);
   uint32_t bit = t_.compositions;
   for (uint32_t i = 0; i < count; ++i) {
@@ -137,7 +137,7 @@ bool ShapeReader::decompose(uint32_t composed,
 // A set is a list of glyphs, or a bit for each of a span.
 bool ShapeReader::in_set(uint32_t set, uint32_t glyph) const noexcept {
   const uint32_t width = glyph_bits();
-  const uint32_t offset_bits = u8(at::kOffsetBits);
+  const uint32_t offset_bits = bits_of(at::kOffsetBits);
   uint32_t bit = t_.data + get(t_.sets + set * offset_bits, offset_bits);
   const bool is_list = take(bit, 1) != 0;
   const uint32_t first = take(bit, width);
@@ -152,7 +152,7 @@ bool ShapeReader::in_set(uint32_t set, uint32_t glyph) const noexcept {
 }
 
 uint32_t ShapeReader::row_of(uint32_t glyph) const noexcept {
-  const uint32_t row_bits = u8(at::kRowBits);
+  const uint32_t row_bits = bits_of(at::kRowBits);
   return glyph < u16(at::kGlyphs)
              ? get(t_.glyph_rows + glyph * row_bits, row_bits)
              : 0;

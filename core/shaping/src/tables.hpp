@@ -44,9 +44,11 @@ class ShapeReader {
   }
   /// A number of the header.
   uint32_t u8(uint32_t at) const noexcept { return get(8 * at, 8); }
+  /// A width that is safe to shift by, even if it changed since it was checked.
+  uint32_t bits_of(uint32_t at) const noexcept { return u8(at) & 31; }
   uint32_t u16(uint32_t at) const noexcept { return get(8 * at, 16); }
   uint32_t glyph_bits() const noexcept {
-    return u8(format::shaping::kGlyphBits);
+    return bits_of(format::shaping::kGlyphBits);
   }
 
   ShapeProgram program(uint32_t number) const noexcept;
