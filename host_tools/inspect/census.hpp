@@ -65,7 +65,7 @@ struct FontCensus {
   FontRange range;
   bool fixed_predicate = false;
   int morph_pairs = 0;
-  int masters = 0;  // glyphs that are second masters
+  int masters = 0;                   // glyphs that are second masters
   std::vector<std::string> strikes;  // "12 px, 1 bits, 96 glyphs, fit 2"
   int left_classes = 0;
   int right_classes = 0;

@@ -111,8 +111,8 @@ void run(const uint8_t* data, size_t size) {
       Q26_6::from_raw(static_cast<int32_t>(256 + get_u16(choice + 7) % 6000)));
   // Strikes have one size and its multiples.
   if (!font.has_outlines()) {
-    style = Style(
-        Q26_6::from_int(font.range().min_px % 256 * (1 + choice[7] % 4)));
+    style =
+        Style(Q26_6::from_int(font.range().min_px % 256 * (1 + choice[7] % 4)));
   }
   hostile::expect_changing_bytes();
   Fit fit;

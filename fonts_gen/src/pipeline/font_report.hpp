@@ -24,7 +24,7 @@ struct GlyphReport {
   size_t cells = 0;       // that are not saturated
   size_t nodes = 0;
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
-  size_t bytes = 0;       // of its record
+  size_t bytes = 0;   // of its record
   /// size_aware: what GlyphErrors promises; the mean over the ink's box and 1.5
   /// px at the worst size [1/255]. fixed: as SampleTree.
   double worst_error = 0;
