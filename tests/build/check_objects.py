@@ -28,9 +28,10 @@ WIDE = ("fill_rows", "mix_samples", "draw_cells", "step", "draw_body",
         "band_box", "draw_line", "gap_between")
 
 # Where the caller lends no RAM, the first two hold a glyph, and the next two,
-# below them, its points and bands. The last one holds rows of a picture.
+# below them, its points and bands. Then come rows of a picture, and a glyph of a
+# TrueType file with all that it takes.
 WITHOUT_RAM = ("draw_on_stack", "draw_fitted_on_stack", "draw_narrow",
-               "draw_wide", "draw_greys")
+               "draw_wide", "draw_greys", "draw_on_own_stack")
 
 # What a device's C library or compiler must bring: block moves, and integer
 # arithmetic that the core lacks.

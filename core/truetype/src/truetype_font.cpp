@@ -208,6 +208,11 @@ int32_t kerning_of(const FontPages& pages,
   return pair_kerning(face_of(pages), left, right);
 }
 
+// Not inline: the stack has one face less while tables are read.
+__attribute__((noinline)) void forget(TrueTypeFace& face) noexcept {
+  face = TrueTypeFace();
+}
+
 void put_u16(TrueTypeFace& face, uint32_t at, uint32_t value) noexcept {
   face.header[at] = static_cast<uint8_t>(value);
   face.header[at + 1] = static_cast<uint8_t>(value >> 8);
@@ -315,7 +320,7 @@ Status TrueTypeFont::open(Span<const uint8_t> file,
     return Status::corrupt;
   }
   TrueTypeFace& made = face_;
-  made = TrueTypeFace();
+  forget(made);
   static_cast<FontPages&>(made) = {glyph_of_code, no_page, kerning_of,
                                    measure_glyph};
   made.file = file;

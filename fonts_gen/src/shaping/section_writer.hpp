@@ -1,6 +1,8 @@
 // Writes the parts of section SHAP.
 #pragma once
 
+#include <hb-ot.h>
+
 #include <cstdint>
 #include <map>
 #include <tuple>
