@@ -3,7 +3,7 @@
 
 namespace inkcell::detail {
 
-namespace at = format::shaping;
+namespace shap = format::shaping;
 
 namespace {
 
@@ -75,16 +75,16 @@ void Shaper::add_character(uint32_t code, uint32_t cluster) noexcept {
   glyph = RunGlyph();
   set_traits(glyph, code);
   glyph.cluster = static_cast<uint16_t>(cluster);
-  glyph.kind = at::kAnyForm << 2;
+  glyph.kind = shap::kAnyForm << 2;
   // Marks and joiners belong to the letter before them.
-  if ((glyph.ligature >= at::kLowMark || code == 0x200d) && n_ > 1) {
+  if ((glyph.ligature >= shap::kLowMark || code == 0x200d) && n_ > 1) {
     glyph.cluster = g_[n_ - 2].cluster;
   }
   if (code == 0x200c || code == 0x200d) {
     glyph.flags = kIgnorable | (code == 0x200c ? kZwnj : kZwj);
   } else if (is_default_ignorable(code)) {
     glyph.flags = kIgnorable;
-  } else if (program_.has(at::kThai) && is_above_base(code)) {
+  } else if (program_.has(shap::kThai) && is_above_base(code)) {
     glyph.flags = kAboveBase;
   }
 }
@@ -108,7 +108,7 @@ void Shaper::split_sara_am(uint32_t code, uint32_t cluster) noexcept {
 
 void Shaper::read(const Text& text, const ScriptRun& run) noexcept {
   Text rest(text.data + run.begin, run.end - run.begin);
-  const bool is_thai = program_.has(at::kThai);
+  const bool is_thai = program_.has(shap::kThai);
   for (uint32_t cluster = 0; rest.size != 0 && status_ == Status::ok;
        ++cluster) {
     uint32_t code = next_code_point(rest);
@@ -136,7 +136,7 @@ void Shaper::order_marks() noexcept {
     while (end < n_ && is_letter_mark(g_[end])) {
       ++end;
     }
-    if (end - begin <= static_cast<int32_t>(at::kMaxMarks)) {
+    if (end - begin <= static_cast<int32_t>(shap::kMaxMarks)) {
       for (int32_t i = begin + 1; i < end; ++i) {
         const RunGlyph glyph = g_[i];
         int32_t to = i;
@@ -148,7 +148,7 @@ void Shaper::order_marks() noexcept {
           merge(to, i + 1);
         }
       }
-      if (program_.has(at::kHebrew)) {
+      if (program_.has(shap::kHebrew)) {
         order_hebrew(begin, end);
       }
     }
@@ -159,9 +159,9 @@ void Shaper::order_marks() noexcept {
 // A narrow vowel between a wide one and what is below goes to the end.
 void Shaper::order_hebrew(int32_t begin, int32_t end) noexcept {
   for (int32_t i = begin + 2; i < end; ++i) {
-    if (g_[i - 2].ligature == at::kWideMark &&
-        g_[i - 1].ligature == at::kNarrowMark &&
-        g_[i].ligature == at::kLowMark) {
+    if (g_[i - 2].ligature == shap::kWideMark &&
+        g_[i - 1].ligature == shap::kNarrowMark &&
+        g_[i].ligature == shap::kLowMark) {
       merge(i - 1, i + 1);
       const RunGlyph glyph = g_[i];
       g_[i] = g_[i - 1];
@@ -230,25 +230,25 @@ void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
   const auto set_form = [this](int32_t i, uint32_t form) {
     if (i >= 0) {
       g_[i].kind =
-          static_cast<uint8_t>(class_of(g_[i]) | (at::kAnyForm | form) << 2);
+          static_cast<uint8_t>(class_of(g_[i]) | (shap::kAnyForm | form) << 2);
     }
   };
   bool is_open = false;  // whether the letter before joins
   bool is_final = false;
   int32_t last = kNo;
   const auto step = [&](uint32_t type, int32_t i) {
-    if (type >= at::kLowMark) {
+    if (type >= shap::kLowMark) {
       return;
     }
-    const bool takes = type == at::kJoinsRight || type == at::kJoinsDual;
+    const bool takes = type == shap::kJoinsRight || type == shap::kJoinsDual;
     if (is_open && takes) {
-      set_form(last, is_final ? at::kMedial : at::kInitial);
+      set_form(last, is_final ? shap::kMedial : shap::kInitial);
     }
     is_final = is_open && takes;
-    if (type != at::kJoinsNone) {
-      set_form(i, is_final ? at::kFinal : at::kIsolated);
+    if (type != shap::kJoinsNone) {
+      set_form(i, is_final ? shap::kFinal : shap::kIsolated);
     }
-    is_open = type == at::kJoinsDual || type == at::kJoinsLeft;
+    is_open = type == shap::kJoinsDual || type == shap::kJoinsLeft;
     last = i;
   };
   constexpr uint32_t kContextCharacters = 5;
@@ -257,7 +257,7 @@ void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
     begin = before(text, begin);
     Text one(text.data + begin, run.begin - begin);
     const uint32_t type = traits(next_code_point(one)).joining;
-    if (type < at::kLowMark) {
+    if (type < shap::kLowMark) {
       step(type, kNo);
       break;
     }
@@ -268,7 +268,7 @@ void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
   Text rest(text.data + run.end, text.size - run.end);
   for (uint32_t i = 0; i < kContextCharacters && rest.size != 0; ++i) {
     const uint32_t type = traits(next_code_point(rest)).joining;
-    if (type < at::kLowMark) {
+    if (type < shap::kLowMark) {
       step(type, kNo);
       break;
     }

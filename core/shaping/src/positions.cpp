@@ -3,7 +3,7 @@
 
 namespace inkcell::detail {
 
-namespace at = format::shaping;
+namespace shap = format::shaping;
 
 namespace {
 
@@ -118,7 +118,7 @@ int32_t Shaper::link_cursive(const ShapeLookup& lookup, int32_t i) noexcept {
   const int32_t exit_y = take_place(exit, least_y, y_bits);
   RunGlyph& before = g_[j];
   RunGlyph& glyph = g_[i];
-  if (program_.has(at::kRightToLeft)) {
+  if (program_.has(shap::kRightToLeft)) {
     const int32_t change = exit_x + before.x;
     add_to(before.advance, -change);
     add_to(before.x, -change);
@@ -168,7 +168,7 @@ void Shaper::turn_cursive(int32_t i, int32_t parent) noexcept {
 
 // The glyph that a mark is attached to; kNo: there is none.
 int32_t Shaper::find_base(const ShapeLookup& lookup, int32_t i) noexcept {
-  if (lookup.type == at::kMarkToMark) {
+  if (lookup.type == shap::kMarkToMark) {
     // Filtered, but nothing is left out by its class.
     ShapeLookup marks = lookup;
     marks.skip = 0;
@@ -194,7 +194,7 @@ int32_t Shaper::find_base(const ShapeLookup& lookup, int32_t i) noexcept {
     }
     // Of what was one glyph the first takes the mark, or one behind a mark.
     const bool goes_on =
-        lookup.type == at::kMarkToBase && (glyph.flags & kMultiplied) != 0 &&
+        lookup.type == shap::kMarkToBase && (glyph.flags & kMultiplied) != 0 &&
         glyph.component != 0 && j != 0 && !is_mark(g_[j - 1]) &&
         (g_[j - 1].flags & kMultiplied) != 0 &&
         g_[j - 1].component == glyph.component - 1;
@@ -211,7 +211,7 @@ int32_t Shaper::attach(const ShapeLookup& lookup, int32_t i) noexcept {
     return kNo;
   }
   uint32_t component = 0;
-  if (lookup.type == at::kMarkToLigature) {
+  if (lookup.type == shap::kMarkToLigature) {
     const RunGlyph& mark = g_[i];
     const bool is_of_it = g_[base].ligature != 0 &&
                           g_[base].ligature == mark.ligature &&

@@ -2,17 +2,17 @@
 
 namespace inkcell::detail {
 
-namespace at = format::shaping;
+namespace shap = format::shaping;
 
 Status Shaper::shape(const Text& text,
                      const ScriptRun& run,
                      uint32_t program) noexcept {
-  if (program < u8(at::kPrograms)) {
+  if (program < u8(shap::kPrograms)) {
     program_ = ShapeReader::program(program);
   }
   read(text, run);
-  const uint32_t most = u16(at::kSteps);
-  steps_ = (most < at::kMaxSteps ? most : at::kMaxSteps) *
+  const uint32_t most = u16(shap::kSteps);
+  steps_ = (most < shap::kMaxSteps ? most : shap::kMaxSteps) *
            (static_cast<uint32_t>(n_) + 1);
   if (status_ != Status::ok) {
     return status_;
@@ -20,7 +20,7 @@ Status Shaper::shape(const Text& text,
   order_marks();
   part_letters();
   compose();
-  if (program_.has(at::kJoins)) {
+  if (program_.has(shap::kJoins)) {
     join(text, run);
   }
   find_glyphs();
@@ -43,16 +43,16 @@ bool Shaper::spend(uint32_t steps) noexcept {
 }
 
 void Shaper::load(uint32_t number, ShapeLookup& out) const noexcept {
-  const uint32_t set_bits = bits_of(at::kSetBits);
-  const uint32_t offset_bits = bits_of(at::kOffsetBits);
+  const uint32_t set_bits = bits_of(shap::kSetBits);
+  const uint32_t offset_bits = bits_of(shap::kOffsetBits);
   out = ShapeLookup();
-  if (number >= u16(at::kLookups)) {
+  if (number >= u16(shap::kLookups)) {
     return;
   }
-  uint32_t bit = t_.lookups + number * (at::kTypeBits + at::kSkipBits +
+  uint32_t bit = t_.lookups + number * (shap::kTypeBits + shap::kSkipBits +
                                         set_bits + 16 + offset_bits);
-  out.type = take(bit, at::kTypeBits);
-  out.skip = take(bit, at::kSkipBits);
+  out.type = take(bit, shap::kTypeBits);
+  out.skip = take(bit, shap::kSkipBits);
   out.filter = take(bit, set_bits);
   out.count = take(bit, 16);
   out.at = t_.data + take(bit, offset_bits);
@@ -60,30 +60,30 @@ void Shaper::load(uint32_t number, ShapeLookup& out) const noexcept {
 
 // Lookups of the program, each over the whole run.
 void Shaper::run_entries(uint32_t first, uint32_t count) noexcept {
-  const uint32_t lookup_bits = bits_of(at::kLookupBits);
-  const uint32_t top = u16(at::kTopLookups);
-  for (uint32_t k = first; k < first + count && k < u16(at::kEntries); ++k) {
-    uint32_t bit = t_.entries + k * (lookup_bits + at::kMaskBits + 1);
+  const uint32_t lookup_bits = bits_of(shap::kLookupBits);
+  const uint32_t top = u16(shap::kTopLookups);
+  for (uint32_t k = first; k < first + count && k < u16(shap::kEntries); ++k) {
+    uint32_t bit = t_.entries + k * (lookup_bits + shap::kMaskBits + 1);
     const uint32_t number = take(bit, lookup_bits);
-    mask_ = take(bit, at::kMaskBits);
+    mask_ = take(bit, shap::kMaskBits);
     manual_zwj_ = take(bit, 1) != 0;
     if (number >= top) {
       continue;
     }
     ShapeLookup lookup;
     load(number, lookup);
-    if (lookup.type == at::kReverse) {
+    if (lookup.type == shap::kReverse) {
       run_backwards(lookup, mask_);
       continue;
     }
     for (int32_t i = 0; i < n_ && status_ == Status::ok;) {
       int32_t next = kNo;
       if ((g_[i].kind >> 2 & mask_) != 0 &&
-          get(row_bit(g_[i].row) + at::kClassBits + number, 1) != 0) {
+          get(row_bit(g_[i].row) + shap::kClassBits + number, 1) != 0) {
         next = apply(number, i, 0);
       }
       // Where nothing replaces a glyph, the next takes its place.
-      const bool stays = lookup.type == at::kMultiple && next == i;
+      const bool stays = lookup.type == shap::kMultiple && next == i;
       i = next > i || stays ? next : i + 1;
       if (stays && !spend()) {
         return;
@@ -108,27 +108,27 @@ int32_t Shaper::apply(uint32_t number, int32_t i, uint32_t depth) noexcept {
     return kNo;
   }
   switch (lookup.type) {
-    case at::kSingle:
+    case shap::kSingle:
       return replace_one(lookup, i);
-    case at::kMultiple:
+    case shap::kMultiple:
       return replace_by_many(lookup, i);
-    case at::kLigatures:
+    case shap::kLigatures:
       return ligate(lookup, i);
-    case at::kReverse:
+    case shap::kReverse:
       return replace_backwards(lookup, i) ? i + 1 : kNo;
-    case at::kAdjust:
+    case shap::kAdjust:
       return adjust(lookup, i);
-    case at::kPairs:
+    case shap::kPairs:
       return kern(lookup, i);
-    case at::kCursive:
+    case shap::kCursive:
       return link_cursive(lookup, i);
-    case at::kMarkToBase:
-    case at::kMarkToLigature:
-    case at::kMarkToMark:
+    case shap::kMarkToBase:
+    case shap::kMarkToLigature:
+    case shap::kMarkToMark:
       return attach(lookup, i);
-    case at::kContext:
-    case at::kPositionContext:
-      if (depth < at::kMaxDepth) {
+    case shap::kContext:
+    case shap::kPositionContext:
+      if (depth < shap::kMaxDepth) {
         return apply_context(lookup, i, depth);
       }
       status_ = Status::unsupported;
@@ -155,7 +155,7 @@ bool Shaper::may_skip(const ShapeLookup& lookup,
   if ((glyph.flags & kIgnorable) == 0) {
     return false;
   }
-  return lookup.type >= at::kAdjust ||
+  return lookup.type >= shap::kAdjust ||
          ((is_context || (glyph.flags & kZwnj) == 0) &&
           (is_context || !manual_zwj_ || (glyph.flags & kZwj) == 0));
 }
@@ -202,7 +202,7 @@ void Shaper::set_glyph(RunGlyph& glyph, uint32_t id) noexcept {
   glyph.flags &= static_cast<uint8_t>(~kIgnorable);
   glyph.row = static_cast<uint8_t>(row_of(id));
   glyph.kind = static_cast<uint8_t>((glyph.kind & ~3u) |
-                                    get(row_bit(glyph.row), at::kClassBits));
+                                    get(row_bit(glyph.row), shap::kClassBits));
 }
 
 bool Shaper::insert(int32_t place, int32_t count) noexcept {

@@ -4,7 +4,7 @@
 
 namespace inkcell {
 
-namespace at = format::shaping;
+namespace shap = format::shaping;
 
 Status Shaping::open(const Font& font, Shaping& out) noexcept {
   const Span<const uint8_t> section = font.section(format::section::kShaping);
@@ -23,14 +23,14 @@ Status Shaping::open(const Font& font, Shaping& out) noexcept {
 // The first program of the script of a character; kNoProgram: it has none.
 uint32_t Shaping::program_of(uint32_t code_point) const noexcept {
   const detail::ShapeReader reader(tables_);
-  const uint32_t scripts = reader.u8(at::kScripts);
+  const uint32_t scripts = reader.u8(shap::kScripts);
   for (uint32_t i = 0; i < scripts; ++i) {
-    uint32_t bit = tables_.scripts + i * at::kScriptRow;
-    const uint32_t place = code_point - reader.take(bit, at::kCodeBits);
-    if (place <= reader.take(bit, at::kCodeBits)) {
+    uint32_t bit = tables_.scripts + i * shap::kScriptRow;
+    const uint32_t place = code_point - reader.take(bit, shap::kCodeBits);
+    if (place <= reader.take(bit, shap::kCodeBits)) {
       const uint32_t program = reader.get(bit, 8);
-      return program < reader.u8(at::kPrograms) ? program
-                                                : ScriptRun::kNoProgram;
+      return program < reader.u8(shap::kPrograms) ? program
+                                                  : ScriptRun::kNoProgram;
     }
   }
   return ScriptRun::kNoProgram;
@@ -59,7 +59,7 @@ ScriptRun Shaping::first_run(const Text& text,
   }
   run.is_right_to_left =
       run.program != ScriptRun::kNoProgram &&
-      detail::ShapeReader(tables_).program(run.program).has(at::kRightToLeft);
+      detail::ShapeReader(tables_).program(run.program).has(shap::kRightToLeft);
   return run;
 }
 
@@ -82,13 +82,13 @@ Status Shaping::shape(const Text& text,
     return Status::bad_argument;
   }
   const detail::ShapeReader reader(tables_);
-  const uint32_t programs = reader.u8(at::kPrograms);
+  const uint32_t programs = reader.u8(shap::kPrograms);
   uint32_t program = run.program;
   if (program < programs && language_ != 0) {
     // Those of a script follow each other, the default first.
     const auto word = [&](uint32_t number, uint32_t place) {
       const uint32_t bit =
-          tables_.programs + number * at::kProgramRow + 32 * place;
+          tables_.programs + number * shap::kProgramRow + 32 * place;
       return reader.get(bit, 16) | reader.get(bit + 16, 16) << 16;
     };
     const uint32_t script = word(program, 0);

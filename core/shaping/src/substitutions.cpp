@@ -3,10 +3,10 @@
 
 namespace inkcell::detail {
 
-namespace at = format::shaping;
+namespace shap = format::shaping;
 
 namespace {
-constexpr int32_t kMostInput = at::kMaxInput;
+constexpr int32_t kMostInput = shap::kMaxInput;
 }  // namespace
 
 int32_t Shaper::replace_one(const ShapeLookup& lookup, int32_t i) noexcept {
@@ -45,7 +45,7 @@ int32_t Shaper::replace_by_many(const ShapeLookup& lookup, int32_t i) noexcept {
     set_glyph(g_[i], get(out, width));
     return i + 1;
   }
-  if (count > at::kMaxInput || !insert(i, static_cast<int32_t>(count) - 1)) {
+  if (count > shap::kMaxInput || !insert(i, static_cast<int32_t>(count) - 1)) {
     return kNo;
   }
   const RunGlyph from = g_[i + static_cast<int32_t>(count) - 1];
@@ -188,7 +188,7 @@ int32_t Shaper::match_input(const ShapeLookup& lookup,
                             uint32_t sets,
                             int32_t count,
                             uint16_t* places) noexcept {
-  const uint32_t set_bits = bits_of(at::kSetBits);
+  const uint32_t set_bits = bits_of(shap::kSetBits);
   int32_t at_glyph = places[0];
   for (int32_t k = 1; k <= count; ++k, sets += set_bits) {
     at_glyph =
@@ -206,7 +206,7 @@ bool Shaper::match_around(const ShapeLookup& lookup,
                           int32_t count,
                           int32_t from,
                           int32_t step) noexcept {
-  const uint32_t set_bits = bits_of(at::kSetBits);
+  const uint32_t set_bits = bits_of(shap::kSetBits);
   for (; count != 0; --count, sets += set_bits) {
     from = find_next(lookup, from, step, Want::set, get(sets, set_bits), true);
     if (from < 0) {
@@ -220,19 +220,19 @@ bool Shaper::match_around(const ShapeLookup& lookup,
 int32_t Shaper::apply_context(const ShapeLookup& lookup,
                               int32_t i,
                               uint32_t depth) noexcept {
-  const uint32_t set_bits = bits_of(at::kSetBits);
-  const uint32_t lookup_bits = bits_of(at::kLookupBits);
+  const uint32_t set_bits = bits_of(shap::kSetBits);
+  const uint32_t lookup_bits = bits_of(shap::kLookupBits);
   uint16_t places[kMostInput + 1];
   uint32_t bit = lookup.at;
   for (uint32_t rule = 0; rule < lookup.count && spend(); ++rule) {
-    const uint32_t before = take(bit, at::kRuleBits);
-    const uint32_t input = take(bit, at::kRuleBits);
-    const uint32_t behind = take(bit, at::kRuleBits);
-    const uint32_t actions = take(bit, at::kRuleBits);
+    const uint32_t before = take(bit, shap::kRuleBits);
+    const uint32_t input = take(bit, shap::kRuleBits);
+    const uint32_t behind = take(bit, shap::kRuleBits);
+    const uint32_t actions = take(bit, shap::kRuleBits);
     const uint32_t sets = bit + set_bits;
     const uint32_t first = get(bit, set_bits);
     const uint32_t end = sets + set_bits * (before + input + behind);
-    bit = end + actions * (at::kRuleBits + lookup_bits);
+    bit = end + actions * (shap::kRuleBits + lookup_bits);
     if (!in_set(first, g_[i].glyph)) {
       continue;
     }
@@ -256,10 +256,10 @@ int32_t Shaper::apply_rule(uint32_t actions,
                            uint16_t* places,
                            int32_t inputs,
                            uint32_t depth) noexcept {
-  const uint32_t lookup_bits = bits_of(at::kLookupBits);
+  const uint32_t lookup_bits = bits_of(shap::kLookupBits);
   int32_t end = places[inputs - 1] + 1;
   for (; count != 0 && status_ == Status::ok; --count) {
-    const auto number = static_cast<int32_t>(take(actions, at::kRuleBits));
+    const auto number = static_cast<int32_t>(take(actions, shap::kRuleBits));
     const uint32_t lookup = take(actions, lookup_bits);
     if (number >= inputs || places[number] >= n_) {
       continue;
@@ -308,11 +308,11 @@ int32_t Shaper::apply_rule(uint32_t actions,
 // Rules of sets on both sides and pairs of glyphs, from the end of a run on.
 bool Shaper::replace_backwards(const ShapeLookup& lookup, int32_t i) noexcept {
   const uint32_t width = glyph_bits();
-  const uint32_t set_bits = bits_of(at::kSetBits);
+  const uint32_t set_bits = bits_of(shap::kSetBits);
   uint32_t bit = lookup.at;
   for (uint32_t rule = 0; rule < lookup.count && spend(); ++rule) {
-    const uint32_t before = take(bit, at::kRuleBits);
-    const uint32_t behind = take(bit, at::kRuleBits);
+    const uint32_t before = take(bit, shap::kRuleBits);
+    const uint32_t behind = take(bit, shap::kRuleBits);
     const uint32_t pairs = take(bit, 16);
     const uint32_t sets = bit;
     const uint32_t rows = bit + set_bits * (before + behind);

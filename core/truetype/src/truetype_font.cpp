@@ -208,9 +208,10 @@ int32_t kerning_of(const FontPages& pages,
   return pair_kerning(face_of(pages), left, right);
 }
 
-// Not inline: the stack has one face less while tables are read.
-__attribute__((noinline)) void forget(TrueTypeFace& face) noexcept {
+// Not inline: the stack has neither twice while tables are read.
+__attribute__((noinline)) void forget(TrueTypeFace& face, Font& font) noexcept {
   face = TrueTypeFace();
+  font = Font();
 }
 
 void put_u16(TrueTypeFace& face, uint32_t at, uint32_t value) noexcept {
@@ -320,7 +321,7 @@ Status TrueTypeFont::open(Span<const uint8_t> file,
     return Status::corrupt;
   }
   TrueTypeFace& made = face_;
-  forget(made);
+  forget(made, font_);
   static_cast<FontPages&>(made) = {glyph_of_code, no_page, kerning_of,
                                    measure_glyph};
   made.file = file;
@@ -333,7 +334,6 @@ Status TrueTypeFont::open(Span<const uint8_t> file,
   choose_cmap(tables[kTableCmap], made);
   choose_kerning(tables[kTableKern], tables[kTableGpos], made);
   put_metrics(tables, made);
-  font_ = Font();
   font_.rom_ = {made.header, header::kBytes};
   font_.source_ = coding.source;
   font_.pages_ = &made;
