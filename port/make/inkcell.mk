@@ -25,7 +25,7 @@
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
 # needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
-# strike, truetype, c (which needs cache, field, layout, motion, strike and display).
+# shaping, strike, truetype, c (which needs cache, field, layout, motion, strike and display).
 # Set it before the include; by default it is pixel and display.
 #
 # The interface for C is made in $(INKCELL_BUILD)/port/c by $(INKCELL_PYTHON), before
@@ -34,7 +34,7 @@ INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_PYTHON ?= python3
 INKCELL_LIBRARIES ?= pixel display
-INKCELL_KNOWN := pixel display cache field layout motion simulation stored strike truetype c
+INKCELL_KNOWN := pixel display cache field layout motion shaping simulation stored strike truetype c
 ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
   $(error INKCELL_LIBRARIES: there is no $(filter-out $(INKCELL_KNOWN),\
     $(INKCELL_LIBRARIES)); there are $(INKCELL_KNOWN))
@@ -51,7 +51,7 @@ endif
 INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(sort \
-  $(addprefix $(INKCELL)/core/,$(filter cache field layout motion simulation stored strike truetype,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/core/,$(filter cache field layout motion shaping simulation stored strike truetype,$(INKCELL_LIBRARIES))) \
   $(addprefix $(INKCELL)/port/,$(filter pixel display,$(INKCELL_LIBRARIES))))
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
   ifneq ($(wildcard $(INKCELL)/port/c/include),)

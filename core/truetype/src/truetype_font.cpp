@@ -250,6 +250,7 @@ void put_metrics(const Table (&tables)[kTableCount],
           x_height != 0 ? x_height : top_of_letter(face, 'x'));
   put_u16(face, header::kCapHeight,
           cap_height != 0 ? cap_height : top_of_letter(face, 'H'));
+  face.header[header::kCoding] = static_cast<uint8_t>(format::Coding::outline);
   put_u16(face, header::kMinPx, static_cast<uint32_t>(kMinSize.raw >> 6));
   put_u16(face, header::kMaxPx, static_cast<uint32_t>(kMaxSize.raw >> 6));
   for (uint32_t i = 0; i != 4; ++i) {

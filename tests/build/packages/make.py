@@ -48,7 +48,7 @@ def build(work, _, fontgen):
 
     (folder / "of_c.mk").write_text(OF_C)
     of_c = [*make, "-f", "of_c.mk",
-            "INKCELL_LIBRARIES=c simulation stored strike truetype"]
+            "INKCELL_LIBRARIES=c shaping simulation stored strike truetype"]
     listed = call(*of_c).split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
