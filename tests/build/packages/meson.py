@@ -56,6 +56,7 @@ def build(work, _, fontgen):
     call("meson", "compile", "-C", folder / "build")
     check_libraries("Meson", sources_of(folder / "build"), ["layout"])
     call("meson", "setup", "--cross-file", folder / "cross.ini",
-         "-Dinkcell:libraries=c,simulation,stored,strike,truetype", folder / "all", folder)
+         "-Dinkcell:libraries=c,shaping,simulation,stored,strike,truetype",
+         folder / "all", folder)
     check_libraries("Meson", sources_of(folder / "all"), LIBRARIES)
     return {"meson": size_of(folder / "build/app")}
