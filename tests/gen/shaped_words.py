@@ -91,8 +91,8 @@ CASES = [
      ["he", "he points"]),
     ("Noto Sans Thai", NOTO / "NotoSansThai-Regular.ttf", "thai", "Thai",
      ["th"]),
-    ("DejaVu Sans", DEJAVU, "latn", "Latn", ["vi"]),
-    ("Noto Sans", NOTO / "NotoSans-Regular.ttf", "latn", "Latn", ["vi"]),
+    ("DejaVu Sans", DEJAVU, "latn", "Latn", ("vi",)),
+    ("Noto Sans", NOTO / "NotoSans-Regular.ttf", "latn", "Latn", ("vi",)),
 ]
 
 
