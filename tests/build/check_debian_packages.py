@@ -26,7 +26,9 @@ from toolchains import ROOT, finish, run
 
 # Packages that no file is found of, and what needs them.
 TRACELESS = {
+    "aspell-fa": "aspell dumps its words for tests/gen/shaped_words.py",
     "ccache": "tests/run.sh calls compilers by it",
+    "fonts-noto-core": "faces of tests/gen/shaped_words.py, in a folder of it",
     "libclang-rt-dev": "clang links it for sanitizers and the fuzzer",
     "libnewlib-arm-none-eabi": "hosted C in tests/build/packages, tests/bench",
     "picolibc-riscv64-unknown-elf": "hosted C in tests/bench",
