@@ -25,8 +25,8 @@
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
 # needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
-# shaping, strike, truetype, c (which needs cache, field, layout, motion, strike and display).
-# Set it before the include; by default it is pixel and display.
+# shaping, strike, truetype, c (which needs cache, field, layout, motion, strike and
+# display). Set it before the include; by default it is pixel and display.
 #
 # The interface for C is made in $(INKCELL_BUILD)/port/c by $(INKCELL_PYTHON), before
 # Make goes on. A release and an installation have it made.
