@@ -19,6 +19,10 @@
 #     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
 #     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
 #     [STRIKE <px:bits[:none|vertical|both]>...] [STRIKE_ONLY]    pictures
+#     [COLOUR]                 layers of colours, of icons and colour fonts
+#     [SHAPE <script>...]      shaped at run time: arab:FAS hebr latn+smcp
+#     [KEEP_LAYOUT]            tables for HarfBuzz on the device
+#     [COMPOSE on|off]         letters and marks become composed letters
 #     [LANGUAGE CXX|C] [SECTION <section of the array>]
 #     [PAGED 512|1024|2048|4096])    for storage that is not mapped
 #
@@ -222,11 +226,12 @@ endfunction()
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING
-    HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
+    HINTS PREDICATE EFFORT COMPOSE BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
     SVG_BASELINE PAGED)
   set(several
-    CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR STRIKE)
-  set(flags BEST_EFFORT STRICT NO_LAYOUT_GLYPHS STRIKE_ONLY)
+    CHARS SET TEXT_FILE STRINGS_FROM STRINGS AXIS MORPH MERGE SVG SVG_DIR STRIKE
+    SHAPE)
+  set(flags BEST_EFFORT KEEP_LAYOUT STRICT NO_LAYOUT_GLYPHS STRIKE_ONLY COLOUR)
   cmake_parse_arguments(PARSE_ARGV 1 arg "${flags}" "${single}" "${several}")
   # A word that stands where characters do is a misspelt option.
   set(words ${arg_CHARS})
@@ -303,14 +308,18 @@ function(inkcell_add_font target)
   endforeach()
   foreach(word
       MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING HINTS PREDICATE
-      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE PAGED CHARS SET AXIS MORPH
-      STRIKE)
+      EFFORT COMPOSE BUDGET SECTION SVG_HEIGHT SVG_BASELINE PAGED CHARS SET AXIS
+      MORPH STRIKE)
     _inkcell_option(option ${word})
     foreach(value IN LISTS arg_${word})
       # "=" keeps a value apart from options even if it begins with a dash.
       list(APPEND options "${option}=${value}")
     endforeach()
   endforeach()
+  if(DEFINED arg_SHAPE)
+    string(JOIN "," shape ${arg_SHAPE})
+    list(APPEND options "--shape=${shape}")
+  endif()
   foreach(word TEXT_FILE STRINGS STRINGS_FROM)
     _inkcell_option(option ${word})
     foreach(value IN LISTS arg_${word})

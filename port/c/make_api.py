@@ -1,6 +1,6 @@
 """Makes the interface for C, include/ and src/ of a folder, from its tables: api.txt,
 and port/display/c_api.txt for drivers of displays. mirror.hpp and painter_of.cpp,
-which are written by hand, go to src/, too.
+which are written by hand, go to src/, too. rust/sys.rs declares the same for Rust.
 
 Usage: make_api.py FOLDER
 
@@ -73,6 +73,72 @@ def filled(text):
     return re.sub(r"(?m)^(///?) (?! |- ).*\n(?:\1 (?! |- ).*\n)*",
                   lambda m: wrapped(m[0].replace(f"\n{m[1]}", ""), f"{m[1]} "),
                   text)
+
+
+# Types of C in Rust, and names of C that Rust keeps for itself.
+RUST = {"char": "u8", "size_t": "usize", "uint8_t": "u8", "uint16_t": "u16",
+        "uint32_t": "u32", "uint64_t": "u64", "int8_t": "i8", "int16_t": "i16",
+        "int32_t": "i32", "int64_t": "i64", "void": "core::ffi::c_void"}
+RESERVED = ("box", "loop", "in", "ref", "type", "move")
+
+
+def rust_type(text):
+    """A type of C, with its asterisks."""
+    base, stars = re.fullmatch(r"((?:const )?(?:struct )?\w+) ?(\**)",
+                               text.strip()).groups()
+    name = base.split()[-1]
+    kind = RUST.get(name, name)
+    for _ in stars:
+        kind = f"*{'const' if base.startswith('const') else 'mut'} {kind}"
+        base = ""
+    return kind
+
+
+def rust_member(text):
+    """A member, a parameter or a constant: its name and its type."""
+    function = re.fullmatch(r"(.*)\(\*(\w+)\)\((.*)\)", text)
+    if function:
+        result, name, parameters = function.groups()
+        kind = f"Option<unsafe extern \"C\" fn{rust_signature(result, parameters)}>"
+    else:
+        base, name, count = re.fullmatch(r"(.*\W)(\w+)(?:\[(\w+)\])?", text).groups()
+        kind = f"[{rust_type(base)}; {count}]" if count else rust_type(base)
+    return f"{'r#' * (name in RESERVED)}{name}: {kind}"
+
+
+def rust_signature(result, parameters):
+    parts = parameters.split(", ") if parameters != "void" else []
+    returns = "" if result.strip() == "void" else f" -> {rust_type(result)}"
+    return f"({', '.join(map(rust_member, parts))}){returns}"
+
+
+def rust(headers):
+    """What headers of C declare."""
+    text = re.sub(r"//.*|(?m:^#(?:.*\\\n)*.*)", "", headers).replace('extern "C" {', "")
+    types = functions = ""
+    for part in re.findall(r"[^;{}]*(?:\{[^}]*\}[^;]*)?;", text):
+        part = re.sub(r"\( | (?=\))", lambda m: m[0].strip(), " ".join(part.split()))
+        part = part.lstrip("} ")
+        struct = re.fullmatch(r"typedef struct (?:INKCELL_SHARED )?(\w+) \{ (.*); \} \w+;",
+                              part)
+        if struct:
+            members = "".join(f"    pub {rust_member(member)},\n"
+                              for member in struct[2].split("; "))
+            types += (f"#[repr(C)]\n#[derive(Clone, Copy, Debug)]\npub struct {struct[1]} "
+                      f"{{\n{members}}}\n")
+        elif part.startswith("typedef "):
+            _, kind, name = part[:-1].split()
+            types += f"pub type {name} = {RUST[kind]};\n"
+        elif part.startswith("enum "):
+            types += "".join(f"pub const {name}: u8 = {value};\n" for name, value in
+                             re.findall(r"(\w+) = (\w+)", part))
+        elif part.startswith("extern "):
+            functions += f"    pub static {rust_member(part[7:-1])};\n"
+        else:
+            result, name, parameters = re.fullmatch(r"(.*\W)(\w+)\((.*)\);",
+                                                    part).groups()
+            functions += f"    pub fn {name}{rust_signature(result, parameters)};\n"
+    return f'{types}extern "C" {{\n{functions}}}\n'
 
 
 class Api:
@@ -217,6 +283,8 @@ class Api:
                 **{f"src/{name}": text for name, text in self.sources.items()},
                 **{f"src/{name}": MADE.format(f"port/c/{name}") +
                    (HERE / name).read_text() for name in BY_HAND},
+                "rust/sys.rs": MADE.format("its tables") + rust("".join(
+                    text for _, _, text in self.headers.values())),
                 "src/checks.cpp":
                     SOURCE.format("its tables") + CHECKS + self.checks,
                 "src/twins.hpp":

@@ -74,6 +74,9 @@ inline Point point_of(int32_t x_q6, int32_t y_q6) noexcept {
 Painter painter_of(const inkcell_painter_t* painter) noexcept;
 
 static_assert(INKCELL_MAX_SPAN == kMaxSpan, "values differ");
+static_assert(INKCELL_STORED_TRUETYPE_BYTES(3, 9) ==
+                  StoredTrueType::ram_bytes(3, 9),
+              "values differ");
 
 /// Options that are 0 have their default.
 template <typename T>
@@ -105,6 +108,18 @@ inline bool is_unit(int64_t cosine_q30, int64_t sine_q30) noexcept {
   sine_q30 >>= 1;
   const int64_t squared = (cosine_q30 * cosine_q30 + sine_q30 * sine_q30) >> 28;
   return squared >= kOne - kOne / 500 && squared <= kOne + kOne / 500;
+}
+
+/// Opens a TrueType file in the room of C, for a font that points into it.
+inline Status open_truetype(Span<const uint8_t> file,
+                            const Coding& coding,
+                            uint32_t face,
+                            inkcell_truetype_t* room,
+                            Font& out) noexcept {
+  TrueTypeFont& opened = ref(room);
+  INKCELL_TRY(opened.open(file, coding, face));
+  out = opened.font();
+  return Status::ok;
 }
 
 /// `draw` or `flush` of a loop of C as that of C++, and `wait`.

@@ -6,8 +6,13 @@ inkcell::Painter inkcell::c::painter_of(
   if (painter == nullptr) {
     return {};
   }
-  return {painter->sink == nullptr ? inkcell::detail::kNoSink
-                                   : ref(painter->sink),
-          ref(&painter->ram), cpp(painter->cache),
-          reinterpret_cast<TextReport*>(painter->report)};
+  const detail::GlyphDrawer* const drawer =
+      painter->colours == nullptr
+          ? static_cast<const detail::GlyphDrawer*>(cpp(painter->cache))
+          : cpp(painter->colours);
+  const Painter plain(
+      painter->sink == nullptr ? inkcell::detail::kNoSink : ref(painter->sink),
+      ref(&painter->ram), drawer,
+      reinterpret_cast<TextReport*>(painter->report));
+  return painter->lines == nullptr ? plain : plain.with(ref(painter->lines));
 }

@@ -67,7 +67,8 @@ def read_header(data):
     header = Header(glyph_count, units_per_em, data[39],
                     *struct.unpack_from("<bBH", data, 60))
     require(5, header.coding in (SAMPLES, OUTLINE, STRIKE))
-    require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
+    require(7, glyph_count > 0 and units_per_em <= 16384)
+    require(7, units_per_em >= (16 if data[39] == OUTLINE else 4))
     sections = read_directory(data[:total_bytes], section_count)
     require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
     return header, sections
@@ -251,7 +252,8 @@ class StrikeFont:
         self.glyph_of.update(read_cmap(sections.get(b"CMAP", b""), count))
         self.kerning = read_kerning(sections.get(b"KERN", b""), count)
         self.metrics = read_metrics(sections[b"METR"], count)
-        self.strikes = read_strikes(sections[b"GLYF"])
+        self.strikes = read_strikes(sections[b"GLYF"], self.metrics,
+                                    self.units_per_em)
 
 
 def listing(font):

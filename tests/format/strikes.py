@@ -61,11 +61,19 @@ def read_rows(data, width, height, bits, guesses):
     return rows
 
 
-def read_strikes(data):
-    """The strikes of a section STRK, or of GLYF where they are alone."""
+def box_in_pixels(metrics, unit):
+    """left, top, width and height of a glyph by its metrics. [px]"""
+    _, *box = metrics
+    require(20, unit in (1, 2) and all(side % unit == 0 for side in box))
+    x_min, y_min, x_max, y_max = (side // unit for side in box)
+    return x_min, -y_max, x_max - x_min, y_max - y_min
+
+
+def read_strikes(data, metrics=None, units_per_em=0):
+    """The strikes of a section STRK, or of GLYF where they are alone: `metrics`
+    has the boxes then."""
     zero, count = struct.unpack_from("<HH", data)
-    require(19, zero == 0 and len(data) >= 4 + ENTRY_BYTES * count + 3)
-    require(19, data[-3:] == b"\0\0\0")
+    require(19, zero == 0 and len(data) >= 4 + ENTRY_BYTES * count)
     strikes = []
     for i in range(count):
         (px, bits, fit, first, glyphs, coding, *widths, left_base, top_base,
@@ -81,12 +89,18 @@ def read_strikes(data):
         require(20, rows[-1][:4] == [0, 0, 0, 0])
         begins = [(base + (n * step >> 8) + row[4]) & 0xffffffff
                   for n, row in enumerate(rows)]
-        require(20, begins == sorted(begins) and begins[-1] <= len(data) - 3)
+        require(20, begins == sorted(begins) and begins[-1] <= len(data))
         pictures = {}
         for n, (left, top, width, height, _) in enumerate(rows[:-1]):
+            left, top = signed_8(left_base) + left, signed_8(top_base) + top
+            if metrics is not None:
+                require(19, widths[:4] == [0] * 4 and left == top == 0)
+                require(20, units_per_em % px == 0)
+                left, top, width, height = box_in_pixels(
+                    metrics[first + n], units_per_em // px)
             if width != 0:
                 pictures[first + n] = Picture(
-                    signed_8(left_base) + left, signed_8(top_base) + top,
+                    left, top,
                     read_rows(data[begins[n]:begins[n + 1]], width, height,
                               bits, guesses))
         strikes.append(Strike(px, bits, fit, pictures))

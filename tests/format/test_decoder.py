@@ -129,7 +129,7 @@ class Refusal(unittest.TestCase):
         self.refuse(15, data, 39, "B", 2)  # code_bits is 0
         self.refuse(6, data, 64 + 4, "I", 2)
         self.refuse(6, data, 64, "4s", b"ABCD")
-        self.refuse(7, data, 22, "H", 15)
+        self.refuse(7, data, 22, "H", 3)
         self.refuse(8, data, 20, "H", 65535)
         self.refuse(9, data, len(data) - 1, "B", data[-1] ^ 1, checksums=False)
         with self.assertRaises(Refused):

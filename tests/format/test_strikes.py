@@ -17,7 +17,8 @@ import time
 import unittest
 
 import decoder
-from strikes import Picture, read_strikes
+from pcf import read_pcf
+from strikes import Picture
 
 FONTGEN = None
 FONTS = []
@@ -332,16 +333,27 @@ class Whole(Folder):
                     for row in (digits[i:i + width // 4] for i in range(
                         0, len(digits), width // 4))]), width
             source = Source(0, 1)
-            source.glyphs = {code: glyph for code, glyph in glyphs.items()
-                             if code >= 0x20}
-            before = time.monotonic()
-            font = self.font(path, None, "--chars", "0x20-0x2FFFF")
-            seconds = time.monotonic() - before
-            size = (self.path / "font.bin").stat().st_size
-            print(f"{path.name}: {len(glyphs)} characters, {size} bytes, "
-                  f"{seconds:.1f} s")
-            self.assertGreater(len(glyphs), 50000)
-            self.check(font, source)
+            source.glyphs = glyphs
+            self.check_whole(path, source, 50000)
+
+    def test_pcf(self):
+        for path in (path for path in FONTS if path.suffix == ".gz"):
+            # Terminus of 12 px: ter-u12n_unicode.pcf.gz.
+            source = Source(0, 1, int(path.name[5:7]))
+            source.glyphs = read_pcf(gzip.decompress(path.read_bytes()))
+            self.check_whole(path, source, 1250)
+
+    def check_whole(self, path, source, least):
+        source.glyphs = {code: glyph for code, glyph in source.glyphs.items()
+                         if code >= 0x20}
+        self.assertGreater(len(source.glyphs), least)
+        before = time.monotonic()
+        font = self.font(path, None, "--chars", "0x20-0x2FFFF")
+        seconds = time.monotonic() - before
+        size = (self.path / "font.bin").stat().st_size
+        print(f"{path.name}: {len(source.glyphs)} characters, {size} bytes, "
+              f"{seconds:.1f} s")
+        self.check(font, source)
 
 
 def main():

@@ -26,7 +26,9 @@ using font_builder::get_u32;
 constexpr size_t kChoiceBytes = 16;
 
 // The sample font with the section; in a block of its size.
-std::vector<uint8_t> font_of(Span<const uint8_t> section, bool is_alone) {
+std::vector<uint8_t> font_of(Span<const uint8_t> section,
+                             bool is_alone,
+                             const uint8_t* choice) {
   std::vector<uint8_t> rom(2 * outline_record::kSampleFontBytes + section.size +
                            64);
   size_t size = outline_record::build_sample_font({rom.data(), rom.size()});
@@ -36,7 +38,18 @@ std::vector<uint8_t> font_of(Span<const uint8_t> section, bool is_alone) {
       is_alone ? format::section::kGlyphs : format::section::kStrikes, section);
   hostile::require(size != 0, "the section fits its buffer");
   if (is_alone) {
-    strike_font::set_alone({rom.data(), size}, 12);
+    strike_font::set_coding({rom.data(), size}, 12);
+    // The choice has a box for all glyphs.
+    const int32_t left = static_cast<int8_t>(choice[13]);
+    const int32_t sides[] = {left, 0, left + choice[14], choice[15]};
+    const uint32_t glyphs = get_u16(rom.data() + format::header::kGlyphCount);
+    for (uint32_t glyph = 0; glyph != glyphs; ++glyph) {
+      for (uint32_t i = 0; i != 4; ++i) {
+        font_builder::put_u16(
+            strike_font::box_of({rom.data(), size}, glyph) + 2 * i,
+            static_cast<uint32_t>(sides[i]) & 0xffff);
+      }
+    }
   }
   return {rom.begin(), rom.begin() + static_cast<ptrdiff_t>(size)};
 }
@@ -47,7 +60,7 @@ void draw(Span<const uint8_t> section,
           const uint8_t* choice) {
   const bool is_alone =
       coding.number == static_cast<uint8_t>(format::Coding::strike);
-  const std::vector<uint8_t> rom = font_of(section, is_alone);
+  const std::vector<uint8_t> rom = font_of(section, is_alone, choice);
   Font font;
   // Some sections do not fit as GLYF.
   if (Font::open({rom.data(), rom.size()}, coding, font) != Status::ok) {

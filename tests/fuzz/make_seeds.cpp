@@ -195,7 +195,7 @@ std::vector<uint8_t> sample_font() {
 }
 
 // A bar that becomes an L, and a bar that becomes a frame, its second master:
-// its hole grows from a slit. Numbers of points are as docs/FORMAT.md counts
+// its hole is born at a point. Numbers of points are as docs/FORMAT.md counts
 // them.
 std::vector<uint8_t> morphing_font() {
   using namespace outline_record;
@@ -225,11 +225,10 @@ std::vector<uint8_t> morphing_font() {
   second.put(0, 8);
   second.put(2, 2);
   second.put(4, 7);
-  for (int chord = 0; chord < 2; ++chord) {
-    put_stop(second, 1, 4);
-    put_stop(second, 3, 4);
-  }
-  second.put(0, 3);
+  put_stop(second, 1, 4);
+  put_stop(second, 3, 4);
+  second.put(6, 4);
+  second.put(1, 3);
   put_stop(second, 6, 0);
   const OutlineSource glyphs[] = {{600, {kBar, 4}},
                                   {600, {kBar, 4}},
@@ -263,8 +262,9 @@ bool write_strike_seed(const std::string& path,
   });
   const Span<const uint8_t> section = strikes.bytes();
   std::vector<uint8_t> seed(section.begin(), section.end());
-  // 12 px, of a strike beside outlines fitted; glyph 5, within the picture.
-  for (const int byte : {1, 1, 5, 0, 16, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0}) {
+  // 12 px, of a strike beside outlines fitted; glyph 5, within the picture, and
+  // its box for strikes alone.
+  for (const int byte : {1, 1, 5, 0, 16, 0, 0, 0, 1, 0, 0, 0, 4, 254, 20, 9}) {
     seed.push_back(static_cast<uint8_t>(byte));
   }
   return write_file(path, seed);

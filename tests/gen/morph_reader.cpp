@@ -65,26 +65,25 @@ class Track {
 
   void begin() { jump(); }
 
-  void begin_slit(double length) {
-    Point ends[2];
-    for (Point& end : ends) {
-      jump();
-      const Point first = at;
-      jump();
-      end = middle(first, at);
-    }
-    middle_ = middle(ends[0], ends[1]);
-    along_ = length * (ends[1] - ends[0]);
-    is_slit_ = true;
-    at = place(bits_.u(3));
+  // The size of a contour that is born there, `since` it began.
+  double begin_point(double since) {
+    jump();
+    const Point first = at;
+    jump();
+    at = middle(first, at);
+    is_point_ = true;
+    const int birth = bits_.u(4);
+    const int swell = bits_.u(3);
+    return std::min(std::max(16 * since - birth, 0.0), 1.0) *
+           (1 + since * (1 - since) * swell);
   }
 
   Curve move() {
     Curve out;
     out.p[0] = at;
     out.is_line = true;
-    if (is_slit_) {
-      at = place(bits_.u(3));
+    if (is_point_) {
+      // There it stays.
     } else if (bits_.u(1) == 0) {
       out = part(1);
       segment_ = curves_.at(segment_).next;
@@ -107,8 +106,6 @@ class Track {
   }
 
  private:
-  Point place(int k) const { return middle_ + (2 * k - 7) / 16.0 * along_; }
-
   static Point on(const Curve& curve, double s, double t) {
     const auto mix = [](const Point& a, const Point& b, double part) {
       return (1 - part) * a + part * b;
@@ -143,10 +140,21 @@ class Track {
   int width_;
   size_t segment_ = 0;
   double from_ = 0;
-  bool is_slit_ = false;
-  Point middle_;
-  Point along_;
+  bool is_point_ = false;
 };
+
+// About the middle of the box of the joints.
+void resize(std::vector<Point>& polygon, size_t chords, double size) {
+  Point low = {kInfinity, kInfinity};
+  Point high = {-kInfinity, -kInfinity};
+  for (size_t i = 0; i < polygon.size(); i += chords) {
+    low = {std::min(low.x, polygon[i].x), std::min(low.y, polygon[i].y)};
+    high = {std::max(high.x, polygon[i].x), std::max(high.y, polygon[i].y)};
+  }
+  for (Point& point : polygon) {
+    point = (1 - size) * middle(low, high) + size * point;
+  }
+}
 
 uint32_t number_at(const std::vector<uint8_t>& bytes, size_t bit, int width) {
   uint32_t value = 0;
@@ -198,13 +206,14 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
     const int pieces = bits.u(7);
     Track a(first, bits, width);
     Track b(second, bits, width);
+    double size = 1;
     if (kind == 2) {
-      a.begin_slit(std::min(4 * progress, 1.0));
+      size = a.begin_point(progress);
     } else {
       a.begin();
     }
     if (kind == 3) {
-      b.begin_slit(std::min(4 * (1 - progress), 1.0));
+      size = b.begin_point(1 - progress);
     } else {
       b.begin();
     }
@@ -238,6 +247,7 @@ std::vector<std::vector<Point>> read_morph(const std::vector<uint8_t>& record,
     if (length(mix(n - 1, 0, 2) - polygon.front()) > 1e-6) {
       polygon.clear();
     }
+    resize(polygon, static_cast<size_t>(chords), size);
     out.push_back(std::move(polygon));
   }
   return out;

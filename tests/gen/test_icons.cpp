@@ -87,7 +87,7 @@ TEST_F(Icons, LieBesideLettersAsAsked) {
     parse_icon_height(height, place);
     parse_icon_baseline(baseline, place);
     SourceFont font = font_for_icons();
-    add_icons(find_icons({file("box.svg=0xE000")}, {}), place, font);
+    add_icons(find_icons({file("box.svg=0xE000")}, {}), place, false, font);
     return Placed{Shape(font.glyphs[1].outline).box(), font.glyphs[1].advance};
   };
   // Capitals are 0.7 em high: 717 u.
@@ -158,7 +158,7 @@ TEST_F(Icons, StrokesThatMeetStayCurves) {
                                "stroke-linejoin='round'><path d='") +
                        drawing + "'/></svg>");
     SourceFont font = font_for_icons();
-    add_icons(find_icons({file("a.svg=0xE000")}, {}), IconPlace(), font);
+    add_icons(find_icons({file("a.svg=0xE000")}, {}), IconPlace(), false, font);
     const Outline& outline = font.glyphs[1].outline;
     size_t segments = 0;
     size_t curves = 0;

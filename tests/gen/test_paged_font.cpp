@@ -9,6 +9,7 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/stored/paged.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "messages.hpp"
 #include "pipeline/generate.hpp"
 
@@ -53,14 +54,8 @@ struct PagedPicture {
   }
 };
 
-PagedPicture draw_paged(const Font& font, int px, char32_t c) {
+PagedPicture draw_style(const Font& font, const Style& style, char32_t c) {
   PagedPicture picture;
-  Style style(Q26_6::from_int(px));
-  Fit fit;
-  FitOptions options;
-  options.across = px == 11;
-  EXPECT_EQ(Fit::make(font, style, options, fit), Status::ok);
-  style.set_fit(fit);
   const Sink sink = {{0, 0, kPagedSide, kPagedSide},
                      &picture,
                      PagedPicture::put,
@@ -68,6 +63,16 @@ PagedPicture draw_paged(const Font& font, int px, char32_t c) {
   Painter(sink).glyph(font, style, {Q26_6::from_int(4), Q26_6::from_int(30)},
                       font.glyph_or_notdef(c));
   return picture;
+}
+
+PagedPicture draw_paged(const Font& font, int px, char32_t c) {
+  Style style(Q26_6::from_int(px));
+  Fit fit;
+  FitOptions options;
+  options.across = px == 11;
+  EXPECT_EQ(Fit::make(font, style, options, fit), Status::ok);
+  style.set_fit(fit);
+  return draw_style(font, style, c);
 }
 
 TEST(PagedFont, DrawsAsTheFontInMappedMemory) {
@@ -120,6 +125,66 @@ TEST(PagedFont, DrawsAsTheFontInMappedMemory) {
     EXPECT_EQ(Font::open({reinterpret_cast<uint8_t*>(ram.data()), 512}, other),
               Status::bad_magic);
   }
+}
+
+TEST(PagedFont, DrawsStrikesAsTheFontInMappedMemory) {
+  GenerateRequest request = paged_request();
+  request.strike_only = true;
+  for (const int bits : {1, 4}) {
+    request.strikes = {{16, bits, format::StrikeFit::both}};
+    request.paged = 0;
+    const std::vector<uint8_t> mapped_bytes = generate(request).bytes;
+    Font mapped;
+    ASSERT_EQ(Font::open({mapped_bytes.data(), mapped_bytes.size()},
+                         kStrikeCoding, mapped),
+              Status::ok);
+    request.paged = 1024;
+    std::vector<uint8_t> file = generate(request).bytes;
+    EXPECT_GE(file.size(), 4096u);  // several pages
+    std::vector<uint64_t> ram(StoredFont::ram_bytes(1024, 2) / 8 + 1);
+    StoredFont stored;
+    ASSERT_EQ(StoredFont::open(
+                  {read_file, &file},
+                  {reinterpret_cast<uint8_t*>(ram.data()), 8 * ram.size()},
+                  kStrikeCoding, stored),
+              Status::ok);
+    EXPECT_EQ(stored.verify(), Status::ok);
+    const Font& font = stored.font();
+    EXPECT_EQ(font.metrics().ascender, mapped.metrics().ascender);
+    int inked = 0;
+    for (char32_t c = 0x21; c < 0x430; c += c == 0x5a ? 934 : 1) {
+      const auto picture = draw_style(mapped, Style(16_px), c).pixels;
+      inked += picture != PagedPicture().pixels ? 1 : 0;
+      EXPECT_EQ(draw_style(font, Style(16_px), c).pixels, picture)
+          << static_cast<unsigned>(c);
+      EXPECT_EQ(font.advance(font.glyph_or_notdef(c)),
+                mapped.advance(mapped.glyph_or_notdef(c)));
+    }
+    EXPECT_EQ(inked, 0x3a + 0x30);
+    EXPECT_NE(mapped.kerning(mapped.glyph_or_notdef(U'A'),
+                             mapped.glyph_or_notdef(U'V')),
+              0);
+    EXPECT_EQ(
+        font.kerning(font.glyph_or_notdef(U'A'), font.glyph_or_notdef(U'V')),
+        mapped.kerning(mapped.glyph_or_notdef(U'A'),
+                       mapped.glyph_or_notdef(U'V')));
+    EXPECT_EQ(stored.status(), Status::ok);
+    // Nothing of outlines opens it.
+    EXPECT_EQ(
+        StoredFont::open(
+            {read_file, &file},
+            {reinterpret_cast<uint8_t*>(ram.data()), 8 * ram.size()}, stored),
+        Status::unsupported);
+  }
+  request.strikes = {{160, 4, format::StrikeFit::none}};
+  request.chars = {"0x40"};
+  request.paged = 512;
+  EXPECT_TRUE(
+      contains(error_of([&] { generate(request); }), "use --paged 1024"));
+  request.strike_only = false;
+  request.paged = 1024;
+  EXPECT_TRUE(
+      contains(error_of([&] { generate(request); }), "add --strike-only"));
 }
 
 TEST(PagedFont, SaysWhatItDoesNotHold) {

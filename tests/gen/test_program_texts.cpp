@@ -57,6 +57,15 @@ TEST_F(ProgramTexts, TellsWhatNeedsShapingAndIsNot) {
             "'\u25cc\u094d'");
   EXPECT_EQ(said("--symbols H\u0633"),
             "warning: Arabic is drawn unshaped, from U+0633 '\u0633'");
+  // What the device shapes, but no other script.
+  const std::string arabic =
+      std::string(kSans) + "--out a.bin --quiet --min-px 16 --max-px 16 ";
+  EXPECT_FALSE(
+      contains(run(arabic + "--symbols H\u0633 --shape arab").err, "unshaped"));
+  EXPECT_TRUE(contains(run(arabic + "--symbols H\u0633 --shape latn").err,
+                       "warning: Arabic is drawn unshaped, from U+0633"));
+  EXPECT_TRUE(contains(run(arabic + "--symbols H --shape arab").err,
+                       "has no rules of --shape arab for the characters"));
   // What is shaped, and what is a list of characters.
   EXPECT_EQ(said("--strings ui.txt --chars H"), "");
   EXPECT_EQ(said("--chars H,0x633"), "");

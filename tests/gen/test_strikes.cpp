@@ -181,6 +181,51 @@ TEST(Strikes, AloneDrawTheSameText) {
   EXPECT_EQ(font.check(Style(24_px)), Status::ok);
 }
 
+// The width of a line on a canvas of 1 bit. [px]
+int width_of_line(const Font& font, const std::string& text) {
+  alignas(4) static uint8_t pixels[kWidth * kHeight];
+  const port::MonoPagesCanvas canvas(
+      {{pixels, sizeof pixels}, 0, 0, kWidth, kHeight, kWidth});
+  return Painter(canvas)
+             .measure(font, Style(12_px), {text.data(), text.size()})
+             .advance.raw /
+         64;
+}
+
+// Whole advances are off the design by parts of a pixel, which add up. Outlines
+// bring a line back between its words; a strike alone cannot.
+TEST(Strikes, AloneDoNotBringLinesBack) {
+  const RomFont alone = font_with({{12, 1, StrikeFit::both}}, true);
+  const Font font = open(alone.bytes, kBitStrikeCoding);
+  const Font outlines = open(with_all().bytes, kOutlineCoding);
+  int most = 0;
+  for (const char* text :
+       {"The quick brown fox jumps over the lazy dog.",
+        "Kitchen 21.5 C, outside 4.0 C, wind from the west",
+        "PRESS ANY KEY TO CONTINUE, OR WAIT FOR 30 SECONDS",
+        "illimitable little lilies, still filling a tiny till",
+        "Battery low: 12 % left, 00:34 to go, charger missing"}) {
+    const int wanted = width_of_line(outlines, text);
+    const int found = width_of_line(font, text);
+    const std::string line = text;
+    most = std::max(most, std::abs(wanted - found));
+    EXPECT_LE(std::abs(wanted - found) * 40, wanted) << text;
+    // Each word by itself is as wide.
+    size_t begin = 0;
+    while (begin < line.size()) {
+      const size_t end = std::min(line.find(' ', begin), line.size());
+      const std::string word = line.substr(begin, end - begin);
+      EXPECT_LE(
+          std::abs(width_of_line(font, word) - width_of_line(outlines, word)),
+          1)
+          << word;
+      begin = end + 1;
+    }
+  }
+  // Else the document is wrong.
+  EXPECT_EQ(most, 5);
+}
+
 // As designed, with advances in halves of a pixel.
 TEST(Strikes, AloneMayStayAsDesigned) {
   const RomFont alone = font_with({{24, 4, StrikeFit::none}}, true, "A-Z");

@@ -16,13 +16,18 @@
 namespace inkcell::gen::test {
 namespace {
 
-// The outline of elements, in user units, y up.
-Outline outline_of(const std::string& elements) {
+SvgDrawing drawing_of(const std::string& elements) {
   const TestFolder folder;
   const std::string text =
       "<svg xmlns='http://www.w3.org/2000/svg'>" + elements + "</svg>";
-  const SvgDrawing drawing(folder.write("drawing.svg", text));
-  return drawing.outline({1, 0, 0, -1, 0, 0});
+  return SvgDrawing(folder.write("drawing.svg", text));
+}
+
+constexpr Affine kUp = {1, 0, 0, -1, 0, 0};
+
+// The outline of elements, in user units, y up.
+Outline outline_of(const std::string& elements) {
+  return drawing_of(elements).outline(kUp);
 }
 
 Shape shape_of(const std::string& elements) {
@@ -317,6 +322,11 @@ TEST(Svg, RefusalsNameLineElementAndRemedy) {
       {"<path marker-end='url(#c)' d=''/>", "draw the marker as a path"},
       {"<path stroke-dasharray='2 1' d=''/>", "draw each dash as a path"},
       {"<path style='transform: none' d=''/>", "use the attribute transform"},
+      {"<path style='rotate: 45deg' d=''/>", "use the attribute transform"},
+      {"<circle r='3' style='cx: 4'/>",
+       "<circle> style has cx, which is not supported; write it as an attr"},
+      {"<g style='mask-image: url(#c)'/>", "cut the paths themselves"},
+      {"<g style='backdrop-filter: blur(2px)'/>", "is not supported; remove"},
       {"<rect width='50%' height='9'/>", "width='50%' is no number of user"},
       {"<rect width='-5' height='9'/>", "width='-5' is below 0"},
       {"<polygon points='1 2 3'/>", "points has an odd number"},
@@ -332,6 +342,28 @@ TEST(Svg, RefusalsNameLineElementAndRemedy) {
         contains(error_of([&] { shape_of(wrong.elements); }), wrong.text))
         << wrong.elements;
   }
+}
+
+// They change nothing where there is one colour.
+TEST(Svg, BlendingIsRefusedWhereThereAreColours) {
+  const struct {
+    const char* elements;
+    const char* text;
+  } cases[] = {
+      {"<path style='mix-blend-mode:multiply' d='M0 0h9v9z'/>",
+       "line 1: <path> mix-blend-mode='multiply' is not supported; paint with"},
+      {"<path paint-order='stroke' d='M0 0h9v9z'/>",
+       "<path> paint-order='stroke' is not supported; draw the stroke as an"}};
+  for (const auto& wrong : cases) {
+    EXPECT_TRUE(contains(
+        error_of([&] { drawing_of(wrong.elements).layers(kUp); }), wrong.text))
+        << wrong.elements;
+    EXPECT_FALSE(outline_of(wrong.elements).contours.empty());
+  }
+  EXPECT_EQ(drawing_of("<path style='mix-blend-mode:normal' d='M0 0h9v9z'/>")
+                .layers(kUp)
+                .size(),
+            1u);
 }
 
 }  // namespace

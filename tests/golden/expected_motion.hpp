@@ -6,30 +6,30 @@ namespace golden {
 inline constexpr const char* kPathHash =
     "e01d611536fdba7aa6150de279ed84f6ee273d3199d75731da445ca94bce6cc8";
 inline constexpr const char* kClockHash =
-    "1426408ac757a8f00895b89e85ed9cac3d043afcaa0a5a55a612e2dc5bbed323";
+    "17e4c96483dc5ecc14d4e9e86d3adbaf8b41f2a5432215d9fb00acfc4d03f420";
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
     "5b26aa18d9a6c8a0e10fe9884b13a3495dbe9d43a905318fab37f6835f0630ad";
 inline constexpr const char* kFigure14Hash =
-    "aab8cfd9f59e222a955164150f9a5540ca27f7186e15ebff5b5568ccbae01dc0";
+    "512350642c8b79098fb6532a757973f6f3cf60716ede71cfc8a6ad9fb2b1941b";
 inline constexpr const char* kFigure15Hash =
-    "26b9bab739d0d01fa4c43a92ee8561bf31b5fb698a443aedc585ac587a809e86";
+    "ae1ee468735442be64dbb6b427bebdf3ab0cf68b6ae7f4edc0da787c8014916b";
 inline constexpr const char* kMeltHash =
-    "dc4c71d4ba33393e136d470decf0737ada9ad6f4628704da13c9999608d42a4b";
+    "d9b2c7367825e758db801e735fb01ffbf2956df2cbf2a618536bc1ae86006d2b";
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =
-    "ca0f00e70773326db7f67bfaab3070eabf79bad18a8dfbd247d0ce967802bb3b";
+    "5bde90e2845b62aadeb96ef0af6fdfba7676a9e2d22346779547485356a9aefe";
 inline constexpr const char* kTickerHash =
     "7df0d8825b834b6faf46cefdb9af60d5a2ae3fcd20877b4ad20522cb5a98d281";
 inline constexpr const char* kTypewriterHash =
     "4cde5008fd3dda76171123246b2bb43e3155c55407bdbcd0207c45d9b2eeaf02";
 inline constexpr const char* kWipeHash =
-    "c67a759fd9dbf72ac18a2f968dd436f225224b42a674bd8d96581199d6897496";
+    "fba3d2308010a6dd3d0428911fe4f193802215b0452d9e58356a075aa2202898";
 inline constexpr const char* kBounceHash =
     "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
 inline constexpr const char* kSplashHash =
-    "43e34e982ba13a598c0a2906b82b99b4ccef990bed6f7a12ebe995b13c5ea7f7";
+    "4a53c174ff3e810fdeab6bedb17b54b7a7febc665ce16dee20f0caf65c918b7e";
 
 }  // namespace golden

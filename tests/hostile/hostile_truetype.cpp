@@ -3,6 +3,8 @@
 //
 //   hostile_truetype [changing]
 //
+// The same files in storage that also fails and changes bytes as they are read.
+//
 // Files are in heap blocks of exactly their size, so that the sanitizers see a
 // read of a single byte too much.
 #include <stdio.h>
@@ -17,10 +19,12 @@
 #endif
 #include "exercise.hpp"
 #include "inkcell/edge_contrast.hpp"
+#include "inkcell/fit.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/truetype/plain_truetype.hpp"
+#include "inkcell/truetype/stored_truetype.hpp"
 #include "inkcell/truetype/truetype_font.hpp"
 #include "random.hpp"
 #include "sfnt_font.hpp"
@@ -63,7 +67,7 @@ struct Count {
 
 Style style_of(Random& random) {
   const auto size = Q26_6::from_raw(random.between(4 * 64, 60 * 64));
-  switch (random.below(5)) {
+  switch (random.below(6)) {
     case 0:
       return Style(Q26_6::from_raw(random.between(4 * 64, 1024 * 64)));
     case 1:
@@ -75,6 +79,8 @@ Style style_of(Random& random) {
       return Style(size).set_effect(kSampled);
     case 3:
       return Style(size).set_effect(kContrast);
+    case 4:
+      return Style(size).set_fit(kFitTwoLevels, nullptr);
     default:
       return Style(size);
   }
@@ -136,6 +142,64 @@ void spoil(Bytes& file, Random& random) {
   }
 }
 
+// A file in storage that fails, or gives other bytes, once in so many reads.
+struct BadCard {
+  const Bytes& file;
+  Random random;
+  uint32_t one_in;
+
+  static bool read(void* context,
+                   uint32_t offset,
+                   uint8_t* bytes,
+                   uint32_t count) {
+    BadCard& self = *static_cast<BadCard*>(context);
+    require(offset % 512 == 0 && count == 512, "a block");
+    for (uint32_t i = 0; i < count && offset + i < self.file.size(); ++i) {
+      bytes[i] = self.file[offset + i];
+    }
+    if (self.one_in != 0 && self.random.below(self.one_in) == 0) {
+      for (int32_t i = 0; i < 20; ++i) {
+        bytes[self.random.below(count)] =
+            static_cast<uint8_t>(self.random.next());
+      }
+      return self.random.below(2) == 0;
+    }
+    return offset < self.file.size();
+  }
+};
+
+// In RAM of exactly its size.
+void use_stored(const Bytes& file,
+                uint32_t round,
+                Random& random,
+                Count& count) {
+  BadCard card = {file, Random(round), round % 3 * 9};
+  const uint32_t record_bytes = 1 + random.below(1000);
+  const size_t size =
+      StoredTrueType::ram_bytes(1 + random.below(4), record_bytes);
+  const auto ram = std::make_unique<uint64_t[]>(size / 8);
+  StoredTrueTypeOptions options;
+  options.record_bytes = record_bytes;
+  options.coding = round % 2 == 0 ? &kPlainTrueTypeCoding : &kTrueTypeCoding;
+  StoredTrueType stored;
+  if (StoredTrueType::open(
+          {BadCard::read, &card},
+          {reinterpret_cast<uint8_t*>(ram.get()), size / 8 * 8}, stored,
+          options) == Status::ok) {
+    ++count.opened;
+    // Bytes differ each time.
+    hostile::use_text(stored.font(), "ABC LK", Style(11_px), {2_px, 12_px});
+    for (int32_t i = 0; i < 3; ++i) {
+      const auto glyph = static_cast<uint16_t>(random.below(15));
+      GlyphMetrics metrics;
+      static_cast<void>(stored.font().glyph_metrics(glyph, metrics));
+      hostile::draw_checked(stored.font(), glyph, style_of(random),
+                            {3_px, 15_px});
+      ++count.glyphs;
+    }
+  }
+}
+
 void run_wrong() {
   const std::vector<Bytes> good = good_files();
   Random random(1);
@@ -163,6 +227,19 @@ void run_wrong() {
          static_cast<long long>(count.opened),
          static_cast<long long>(count.glyphs));
   require(count.opened > 6000, "many files open");
+  hostile::expect_changing_bytes();
+  count = {};
+  for (uint32_t round = 0; round < 6000; ++round) {
+    Bytes spoiled = good[random.below(static_cast<uint32_t>(good.size()))];
+    if (round % 4 != 0) {
+      spoil(spoiled, random);
+    }
+    use_stored(spoiled, round, random, count);
+  }
+  printf("%lld of 6000 stored files opened, %lld glyphs drawn\n",
+         static_cast<long long>(count.opened),
+         static_cast<long long>(count.glyphs));
+  require(count.opened > 1500, "many stored files open");
 }
 
 #if defined(__linux__) && defined(__x86_64__)

@@ -75,7 +75,6 @@ class StrikeWriter {
  public:
   /// For so many strikes.
   void begin(uint32_t strikes) {
-    count_ = strikes;
     added_ = 0;
     size_ = inkcell::format::strikes::kBytes +
             strikes * inkcell::format::strike::kBytes;
@@ -129,7 +128,6 @@ class StrikeWriter {
       write(values, spec);
       size_ = (bit_ + 7) / 8;
     }
-    size_ += added_ == count_ ? 3 : 0;
   }
 
   /// Empty if they do not fit.
@@ -181,7 +179,6 @@ class StrikeWriter {
 
   uint8_t bytes_[kBytes];
   size_t size_;
-  uint32_t count_;
   uint32_t added_;
   uint32_t bit_;
 };
@@ -235,8 +232,26 @@ inline size_t add_section(Span<uint8_t> rom,
   return size;
 }
 
-/// Makes a font one of strikes alone, of one size.
-inline void set_alone(Span<uint8_t> font, uint32_t px) {
+/// Where a section begins.
+inline uint8_t* find_section(Span<uint8_t> font, uint32_t tag) {
+  namespace header = inkcell::format::header;
+  namespace entry = inkcell::format::section;
+  const uint8_t* at = font.data + header::kBytes;
+  while (font_builder::get_u32(at + entry::kTag) != tag) {
+    at += entry::kBytes;
+  }
+  return font.data +
+         (font_builder::get_u32(at + entry::kOffset) & ~entry::kMustUnderstand);
+}
+
+/// Where METR, as build_font() writes it, has the box of a glyph.
+inline uint8_t* box_of(Span<uint8_t> font, uint32_t glyph) {
+  return find_section(font, inkcell::format::section::kMetrics) +
+         inkcell::format::metrics::kBytes + 10 * glyph + 2;
+}
+
+/// Says that a font has strikes alone, of one size.
+inline void set_coding(Span<uint8_t> font, uint32_t px) {
   namespace header = inkcell::format::header;
   uint8_t* const at = font.data;
   at[header::kCoding] = static_cast<uint8_t>(inkcell::format::Coding::strike);
@@ -245,6 +260,59 @@ inline void set_alone(Span<uint8_t> font, uint32_t px) {
   font_builder::put_u16(at + header::kMaxPoints, 0);
   font_builder::put_u16(at + header::kMinPx, px);
   font_builder::put_u16(at + header::kMaxPx, px);
+  if (font_builder::get_u16(at + header::kUnitsPerEm) != 2 * px) {
+    font_builder::put_u16(at + header::kUnitsPerEm, px);
+  }
+  font_builder::repair_checksums(font);
+}
+
+/// Moves the boxes of a strike of add(), the one in `section`, to `boxes`, ten
+/// bytes a glyph in METR.
+inline void move_boxes(uint8_t* section, uint8_t* boxes, int32_t units) {
+  namespace at = inkcell::format::strike;
+  uint8_t* const entry = section + inkcell::format::strikes::kBytes;
+  uint8_t* const table = section + font_builder::get_u32(entry + at::kBoxes);
+  const uint32_t glyphs = font_builder::get_u16(entry + at::kGlyphs);
+  const auto base = static_cast<int8_t>(entry[at::kLeftBase]);
+  uint32_t from = 0;
+  uint32_t to = 0;
+  const auto take = [&](uint32_t width) {
+    uint32_t value = 0;
+    for (uint32_t i = 0; i != width; ++i, ++from) {
+      value |= (uint32_t{table[from / 8]} >> from % 8 & 1) << i;
+    }
+    return static_cast<int32_t>(value);
+  };
+  for (uint32_t glyph = 0; glyph <= glyphs; ++glyph) {
+    int32_t row[at::kColumns];
+    for (uint32_t i = 0; i != at::kColumns; ++i) {
+      row[i] = take(entry[at::kColumnBits + i]);
+    }
+    const int32_t left = base + row[0];
+    const int32_t top = base + row[1];
+    const int32_t sides[] = {left, -top - row[3], left + row[2], -top};
+    for (uint32_t i = 0; i != 4 && glyph != glyphs; ++i) {
+      font_builder::put_u16(
+          boxes + 10 * glyph + 2 * i,
+          static_cast<uint32_t>(row[2] == 0 ? 0 : sides[i] * units) & 0xffff);
+    }
+    for (uint32_t i = 0; i != entry[at::kColumnBits + 4]; ++i, ++to) {
+      const auto bit = static_cast<uint8_t>(1 << to % 8);
+      table[to / 8] = static_cast<uint8_t>(
+          (row[4] >> i & 1) != 0 ? table[to / 8] | bit : table[to / 8] & ~bit);
+    }
+  }
+  __builtin_memset(entry + at::kColumnBits, 0, 4);
+  entry[at::kLeftBase] = entry[at::kTopBase] = 0;
+}
+
+/// Makes a font of build_font() with a strike one of that strike alone.
+inline void set_alone(Span<uint8_t> font, uint32_t px) {
+  set_coding(font, px);
+  const uint32_t em =
+      font_builder::get_u16(font.data + inkcell::format::header::kUnitsPerEm);
+  move_boxes(find_section(font, inkcell::format::section::kGlyphs),
+             box_of(font, 0), static_cast<int32_t>(em / px));
   font_builder::repair_checksums(font);
 }
 

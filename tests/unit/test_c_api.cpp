@@ -94,7 +94,8 @@ TEST(a_style_that_is_refused_draws_nothing) {
   };
   const auto draw_24 = [&](const inkcell_style_t& style) {
     has_drawn = false;
-    const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+    inkcell_painter_t painter = {};
+    painter.sink = &sink;
     inkcell_draw_text(&painter, &font, "A", 1, &style, 0, 24 << 6);
     return has_drawn;
   };
@@ -217,7 +218,8 @@ TEST(values_are_those_of_cpp) {
     CHECK_EQ(inkcell_mono_pages_sink(&target, &sink), INKCELL_OK);
     char number[INKCELL_NUMBER_BYTES];
     inkcell_rect_t rect;
-    const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+    inkcell_painter_t painter = {};
+    painter.sink = &sink;
     inkcell_value_label_set(&by_c, &painter,
                             inkcell_number_text(tenths, 1, 1, '.', number),
                             INKCELL_TERMINATED, &rect);
@@ -265,7 +267,8 @@ TEST(text_on_a_circle_is_that_of_cpp) {
                                         3 << 14,
                                         INKCELL_CIRCLE_INSIDE,
                                         INKCELL_ANCHOR_RIGHT};
-  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+  inkcell_painter_t painter = {};
+  painter.sink = &sink;
   inkcell_draw_on_circle(&painter, &font, kText, INKCELL_TERMINATED, &style,
                          &circle);
   inkcell_rect_t pixels;

@@ -67,7 +67,8 @@ TEST(a_font_that_is_refused_is_empty) {
   CHECK_EQ(inkcell_style_make(16 << 6, &inkcell_filter_text, &style),
            INKCELL_OK);
   const inkcell_sink_t sink = no_sink();
-  const inkcell_painter_t painter = {&sink, {}, nullptr, nullptr};
+  inkcell_painter_t painter = {};
+  painter.sink = &sink;
   inkcell_draw_text(&painter, &font, "A", 1, &style, 0, 0);
 }
 

@@ -133,7 +133,7 @@ TEST(refuses_sizes_that_do_not_fit) {
   sample();
   put_u16(rom + header::kGlyphCount, 6);  // METR holds five
   CHECK_EQ(reopen(), Status::corrupt);
-  for (const uint32_t units : each_of({15u, 16385u, 65535u, 0u})) {
+  for (const uint32_t units : each_of({3u, 16385u, 65535u, 0u})) {
     sample();
     put_u16(rom + header::kUnitsPerEm, units);
     CHECK_EQ(reopen(), Status::corrupt);

@@ -81,6 +81,10 @@ size_t write_discs(Span<uint8_t> out) {
   return bits.bytes();
 }
 
+// The frame's hole is born at a quarter of the way.
+constexpr uint32_t kBirth = 4;
+constexpr uint32_t kSwell = 0;
+
 size_t write_frame(Span<uint8_t> out) {
   BitWriter bits(out);
   bits.put(4, 4);
@@ -89,16 +93,12 @@ size_t write_frame(Span<uint8_t> out) {
   put_stop(bits, 4, 1, 0);
   bits.put(0, 8);
   begin(bits, 2, 4);
-  for (int chord = 0; chord < 2; ++chord) {
-    put_stop(bits, 4, 1, 4);
-    put_stop(bits, 4, 3, 4);
-  }
-  bits.put(0, 3);
+  put_stop(bits, 4, 1, 4);
+  put_stop(bits, 4, 3, 4);
+  bits.put(kBirth, 4);
+  bits.put(kSwell, 3);
   put_stop(bits, 4, 6, 0);
-  for (int piece = 0; piece < 4; ++piece) {
-    bits.put(0, 3);
-    bits.put(0, 1);
-  }
+  bits.put(0, 4);
   bits.put(0, 2);
   return bits.bytes();
 }
@@ -230,6 +230,25 @@ TEST(half_way_lies_what_is_between) {
       CHECK(picture.difference(expected) <= most);
     }
   }
+}
+
+// The hole of 320 u is born at 1/4, and has half of its size 1/32 later.
+TEST(holes_are_born_within_a_16th) {
+  const Style style(kSize);
+  const OutlineMorph morph = morph_of(7, 8);
+  draw_plain(7, style);
+  for (int32_t step = 1; step <= 8; ++step) {
+    draw(morph, style, Q16_16::from_raw(step << 11));
+    CHECK(picture == expected);
+  }
+  // 320 u x 9/32 / 2 = 45 u: 2.8 px.
+  draw(morph, style, Q16_16::from_raw(9 << 11));
+  const int32_t before = expected.ink();
+  CHECK(before - picture.ink() > 7 * 255 && before - picture.ink() < 9 * 255);
+  CHECK_EQ(picture.at(4 + 20, 50 - 20), 0);
+  // 100 u: 6.25 px.
+  draw(morph, style, Q16_16::from_raw(10 << 11));
+  CHECK(before - picture.ink() > 38 * 255 && before - picture.ink() < 40 * 255);
 }
 
 TEST(strips_and_boxes_of_morphs) {

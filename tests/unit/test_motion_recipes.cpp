@@ -278,6 +278,43 @@ TEST(clocks_roll_without_pairs) {
   draw(clock, whole);
 }
 
+// A clock at half of a change, in a font with or without a pair: '0' and '1'.
+void draw_change(bool has_pair, uint32_t minute, Page& target) {
+  // 14 bytes and the record: one contour, four sides to four sides.
+  uint8_t morphs[24] = {1, 0, 4, 8, 80, 0, 0, 0, 1 | 2 << 4, 0};
+  BitWriter record({morphs + 10, 14});
+  record.put(4, 4);
+  record.put(1, 2);
+  record.put(4, 7);
+  record.put(1, 4);
+  record.put(0, 3);
+  record.put(1, 4);
+  alignas(4) static uint8_t bytes[1024];
+  OutlineSource glyphs[12];
+  for (OutlineSource& glyph : glyphs) {
+    glyph = {600, {kSquare, 4}};
+  }
+  glyphs[1] = glyphs[11] = {600, {kBar, 4}};
+  Font paired;
+  const size_t size = build_outline_font(
+      {glyphs, 12}, 0, '0', bytes, {}, {morphs, has_pair ? sizeof morphs : 0});
+  CHECK_OK(Font::open({bytes, size}, paired));
+  Clock clock(paired, style, {4, 30});
+  clock.at(minute, minute + 1, Clock::kEndMs / 2);
+  draw(clock, target);
+}
+
+TEST(all_digits_of_a_change_go_the_same_way) {
+  // 00:00 to 00:01 morphs.
+  draw_change(true, 0, whole);
+  draw_change(false, 0, expected);
+  CHECK(!(whole == expected));
+  // 00:09 to 00:10: 9 has no pair with 0, so 0 rolls to 1, too.
+  draw_change(true, 9, whole);
+  draw_change(false, 9, expected);
+  CHECK(whole == expected);
+}
+
 TEST(clocks_show_seconds) {
   Screen screen;
   Clock clock(font, small, {2, 30}, ClockUnit::seconds);

@@ -89,6 +89,15 @@ TEST(finds_wrong_numbers_of_the_header) {
   }
 }
 
+// Fonts of outlines have no smaller em, which fonts of strikes have.
+TEST(outlines_have_16_units_to_the_em) {
+  for (const uint32_t em : each_of({4u, 15u, 16u})) {
+    sample();
+    font_builder::put_u16(rom + header::kUnitsPerEm, em);
+    CHECK_EQ(verify_changed() == Status::ok, em == 16);
+  }
+}
+
 TEST(finds_wrong_code_words) {
   // Entry 15 is the only one of its word of 4 bits.
   const Font font = sample();

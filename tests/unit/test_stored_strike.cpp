@@ -42,8 +42,11 @@ bool read(void*, uint32_t offset, uint8_t* bytes, uint32_t count) {
 
 // The page behind METR: of its glyphs, from `first` on.
 void write_page(uint8_t* out) {
+  // METR: all glyphs have the advance of its column's base, boxes 16 bits.
+  constexpr uint32_t kMetrics = 17;
+  constexpr uint32_t kRecords = 60;
   put_u16(out, kAdvance);
-  constexpr uint32_t kRecords = 20;  // METR has 17 bytes: all boxes are empty
+  __builtin_memset(out + 13, 16, 4);
   static strike_font::StrikeWriter<512> strikes;
   strikes.begin(1);
   strikes.add({kPx, 1, format::StrikeFit::source, 0, kGlyphs, 0, 0},
@@ -51,6 +54,11 @@ void write_page(uint8_t* out) {
   const Span<const uint8_t> section = strikes.bytes();
   CHECK(kRecords + section.size <= kBlock - 16);
   __builtin_memcpy(out + kRecords, section.data, section.size);
+  uint8_t boxes[10 * kGlyphs];
+  strike_font::move_boxes(out + kRecords, boxes, 2);
+  for (uint32_t glyph = 0; glyph != kGlyphs; ++glyph) {
+    __builtin_memcpy(out + kMetrics + 8 * glyph, boxes + 10 * glyph, 8);
+  }
   uint8_t* const trailer = out + kBlock - paged::trailer::kBytes;
   put_u32(trailer - 8, 'A');
   put_u16(trailer - 4, kGlyphs - 2);

@@ -83,16 +83,6 @@ int32_t count_drawn() {
 // In pixels of a hundred units.
 constexpr Style kStyle = Style(10_px);
 
-template <int32_t kColumns, int32_t kRows>
-void draw_letter(const Font& font,
-                 char letter,
-                 Picture<kColumns, kRows>& picture,
-                 const Style& style = kStyle) {
-  Painter(picture.sink(), Workspace(ram))
-      .glyph(font, style, {1_px, 7_px},
-             font.glyph_or_notdef(static_cast<uint8_t>(letter)));
-}
-
 constexpr uint32_t kAbsent[] = {
     0,   31,     33,      64,      'A' + sfnt_font::kLetters,
     255, 0xffff, 0x10041, 0x1f602, 0xffffffff};
@@ -184,121 +174,133 @@ TEST(pairs_kern) {
   CHECK_EQ(font.font().kerning(2, 3), 0);
 }
 
-TEST(contours_saturate) {
-  TrueTypeFont font;
-  open(font);
-  Picture<8, 8> square;
-  draw_letter(font.font(), 'A', square);
-  CHECK_PICTURE(square,
-                "..####..\n"
-                "..####..\n"
-                "..####..\n"
-                "..####..\n"
-                "..####..\n"
-                "..####..\n"
-                "..####..\n"
-                "........\n");
-  Picture<8, 8> ring;
-  draw_letter(font.font(), 'B', ring);
-  CHECK_PICTURE(ring,
-                "........\n"
-                ".######.\n"
-                ".######.\n"
-                ".##..##.\n"
-                ".##..##.\n"
-                ".######.\n"
-                ".######.\n"
-                "........\n");
-  Picture<8, 8> pile;
-  draw_letter(font.font(), 'C', pile);
-  CHECK_PICTURE(pile,
-                "........\n"
-                "...####.\n"
-                "...####.\n"
-                ".######.\n"
-                ".######.\n"
-                ".####...\n"
-                ".####...\n"
-                "........\n");
-  Picture<8, 8> reversed;
-  draw_letter(font.font(), 'D', reversed);
-  CHECK_PICTURE(reversed,
-                "........\n"
-                "........\n"
-                "........\n"
-                ".####...\n"
-                ".####...\n"
-                ".####...\n"
-                ".####...\n"
-                "........\n");
-}
+// Each glyph at 10 px/em, so that a pixel has a hundred units.
+constexpr struct {
+  uint16_t glyph;
+  const char* picture;
+} kPictures[] = {
+    // A square.
+    {2,
+     "..........\n"
+     "..........\n"
+     "..####....\n"
+     "..####....\n"
+     "..####....\n"
+     "..####....\n"
+     "..####....\n"
+     "..####....\n"
+     "..####....\n"
+     "..........\n"},
+    // A ring: its hole runs the other way round.
+    {3,
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     ".######...\n"
+     ".######...\n"
+     ".##..##...\n"
+     ".##..##...\n"
+     ".######...\n"
+     ".######...\n"
+     "..........\n"},
+    // Two squares over each other.
+    {4,
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "...####...\n"
+     "...####...\n"
+     ".######...\n"
+     ".######...\n"
+     ".####.....\n"
+     ".####.....\n"
+     "..........\n"},
+    // A square of the wrong direction.
+    {5,
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     ".####.....\n"
+     ".####.....\n"
+     ".####.....\n"
+     ".####.....\n"
+     "..........\n"},
+    // Four quarters of parabolas, without points on them: the ends are in the
+    // middle of sides.
+    {6,
+     "..........\n"
+     "..+****+..\n"
+     ".+######+.\n"
+     ".*######*.\n"
+     ".*######*.\n"
+     ".*######*.\n"
+     ".*######*.\n"
+     ".+######+.\n"
+     "..+****+..\n"
+     "..........\n"},
+    // Two squares of both directions, over each other: they cancel out.
+    {8,
+     "..........\n"
+     "....####..\n"
+     "....####..\n"
+     "..######..\n"
+     "..######..\n"
+     ".#...#....\n"
+     ".#...#....\n"
+     ".####.....\n"
+     ".####.....\n"
+     "..........\n"},
+    // A ring of half the size, and a square turned by a quarter, whose left
+    // part lies out of the box that the file tells.
+    {9,
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "####......\n"
+     "####......\n"
+     "####......\n"
+     "####......\n"
+     ".###......\n"
+     "..........\n"},
+    // H moved, and moved once more with a square, and so on: four deep. The
+    // last one has the reversed square over H.
+    {12,
+     "..........\n"
+     "..........\n"
+     "..####....\n"
+     "######....\n"
+     "#####.....\n"
+     "#####.....\n"
+     "#####.....\n"
+     "..###.....\n"
+     "..####....\n"
+     "..........\n"},
+    // One that is made of itself.
+    {13,
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"
+     "..........\n"},
+};
 
-TEST(contours_may_have_no_point_on_them) {
+TEST(glyphs_are_drawn) {
   TrueTypeFont font;
   open(font);
-  // Four quarters of parabolas: the circle's ends are in the middle of sides.
-  Picture<10, 10> round;
-  Painter(round.sink(), Workspace(ram))
-      .glyph(font.font(), kStyle, {1_px, 9_px}, 6);
-  CHECK_PICTURE(round,
-                "..........\n"
-                "..+****+..\n"
-                ".+######+.\n"
-                ".*######*.\n"
-                ".*######*.\n"
-                ".*######*.\n"
-                ".*######*.\n"
-                ".+######+.\n"
-                "..+****+..\n"
-                "..........\n");
-}
-
-TEST(components_are_moved_scaled_and_nested) {
-  TrueTypeFont font;
-  open(font);
-  // Two squares of both directions, over each other: they cancel out.
-  Picture<8, 8> moved;
-  draw_letter(font.font(), 'G', moved);
-  CHECK_PICTURE(moved,
-                "....####\n"
-                "..######\n"
-                "..######\n"
-                ".#...#..\n"
-                ".#...#..\n"
-                ".####...\n"
-                ".####...\n"
-                "........\n");
-  // A ring of half the size, and a square turned by a quarter, whose left part
-  // lies out of the box that the file tells.
-  Picture<8, 8> halved;
-  draw_letter(font.font(), 'H', halved);
-  CHECK_PICTURE(halved,
-                "........\n"
-                "........\n"
-                "####....\n"
-                "####....\n"
-                "####....\n"
-                "####....\n"
-                ".###....\n"
-                "........\n");
-  // H moved, and moved once more with a square, and so on: four deep. The last
-  // one has the reversed square over H.
-  Picture<8, 8> deepest;
-  draw_letter(font.font(), 'K', deepest);
-  CHECK_PICTURE(deepest,
-                "..####..\n"
-                "######..\n"
-                "#####...\n"
-                "#####...\n"
-                "#####...\n"
-                "..###...\n"
-                "..####..\n"
-                "........\n");
-  // One that is made of itself ends, and shows nothing.
-  draw_strips(drawn, 8, Workspace(ram), [&](const Painter& painter) {
-    painter.glyph(font.font(), kStyle, kPen, 13);
-  });
-  CHECK_EQ(count_drawn(), 0);
+  for (const auto& wanted : kPictures) {
+    Picture<10, 10> drawn_glyph;
+    Painter(drawn_glyph.sink(), Workspace(ram))
+        .glyph(font.font(), kStyle, {1_px, 9_px}, wanted.glyph);
+    CHECK_PICTURE(drawn_glyph, wanted.picture);
+  }
 }
 
 // All letters, at a place between pixels.
@@ -381,6 +383,71 @@ TEST(distances_are_refused_where_contours_may_overlap) {
   CHECK(wide.font().check(Style(20_px)) == Status::ok);
   CHECK(wide.font().check(two_level_style(20_px)) == Status::ok);
   CHECK(wide.font().check(Style(20_px).set_effect(kSampled)) == Status::ok);
+}
+
+// The height of a glyph in whole pixels and in 1/255 of them, by the middle of
+// its box; whether only its rows at both ends may be grey. The baseline is at
+// 16 px, and a bit.
+struct Height {
+  int32_t full = 0;
+  int32_t grey = 0;
+};
+Height height_of(const Font& font, const Style& style, uint16_t glyph) {
+  draw_strips(drawn, kHeight, Workspace(ram), [&](const Painter& painter) {
+    painter.glyph(font, style, {4_px, Q26_6::from_raw(16 * 64 + 21)}, glyph);
+  });
+  GlyphMetrics box;
+  CHECK_EQ(font.glyph_metrics(glyph, box), Status::ok);
+  const int32_t x =
+      4 + (to_px(font, style, box.x_min).raw + to_px(font, style, 90).raw) / 64;
+  Height height;
+  for (int32_t y = 0; y < kHeight; ++y) {
+    const int32_t value = drawn[y * kWidth + x];
+    height.full += value == 255 ? 1 : 0;
+    height.grey += value == 255 ? 0 : value;
+  }
+  return height;
+}
+
+TEST(heights_are_fitted_by_zones) {
+  TrueTypeFont opened;
+  open(opened);
+  const Font& font = opened.font();
+  for (int32_t px = 8; px <= 22; ++px) {
+    Style style = Style(Q26_6::from_int(px));
+    Fit fit;
+    CHECK_EQ(Fit::make(font, style, {}, fit), Status::ok);
+    // 480 units, rounded up from 1/8 px on; then 700 to the nearest.
+    const int32_t rows = (480 * px * 64 / 1000 + 56) / 64;
+    const int32_t tall_q6 = rows * 64 * 700 / 480;
+    const Height designed = height_of(font, style, 2);
+    CHECK(designed.grey > 10);
+    for (const Fitter* const fitter : each_of({&kGridFit, &kFitHeights})) {
+      style.set_fit(*fitter, &fit);
+      const Height capital = height_of(font, style, 2);
+      CHECK_EQ(capital.full, (tall_q6 + 32) / 64);
+      CHECK(capital.grey <= 8);
+    }
+  }
+  // From 40 px on as designed.
+  Style large = Style(40_px);
+  draw_strips(expected, kHeight, Workspace(ram), [&](const Painter& painter) {
+    painter.glyph(font, large, kPen, 3);
+  });
+  large.set_fit(kFitTwoLevels, nullptr);
+  draw_strips(drawn, kHeight, Workspace(ram), [&](const Painter& painter) {
+    painter.glyph(font, large, kPen, 3);
+  });
+  CHECK_EQ(count_different(), 0);
+  // Fitted strips are those of the whole.
+  Style small = Style(14_px);
+  small.set_fit(kFitTwoLevels, nullptr);
+  const auto draw = [&](const Painter& painter) {
+    draw_all(font, small, painter);
+  };
+  draw_strips(expected, kHeight, Workspace(ram), draw);
+  draw_strips(drawn, 3, {}, draw);
+  CHECK_EQ(count_different(), 0);
 }
 
 TEST(text_is_measured_drawn_and_cached) {

@@ -78,7 +78,8 @@ class Fit {
 
   constexpr Fit() noexcept = default;
 
-  /// Without hints in the font it moves baselines only. corrupt:
+  /// Without hints in the font it moves baselines only, and in TrueType files
+  /// the heights of lower case and capitals, at full strength. corrupt:
   /// GridHints::open; bad_argument: the levels or the strength. `out` is
   /// untouched unless the result is ok.
   static Status make(const Font& font,

@@ -45,6 +45,7 @@ struct FontPages {
                      GlyphMetrics* out) noexcept;
 };
 class StoredStore;
+class StrikeAlone;
 }  // namespace detail
 
 /// Measures of one glyph in font units (units_per_em to the em), y up, origin
@@ -203,6 +204,7 @@ class Font {
 
  private:
   friend class detail::StoredStore;
+  friend class detail::StrikeAlone;
   friend class TrueTypeFont;
 
   class MetricsRow;

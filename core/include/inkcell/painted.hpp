@@ -42,30 +42,29 @@ uint32_t clamp_and_scale(uint32_t sums) noexcept;
 /// A byte is the difference of two pixels' area modulo 256, in 240ths of a
 /// pixel.
 struct SumWords {
-  uint32_t sum = 0;   // of all bytes so far, in both halves
-  uint32_t last = 0;  // the coverage of the last pixel, four times
+  uint32_t sum = 0;   // of all bytes so far
+  uint32_t last = 0;  // the coverage of the last four pixels
 
   /// As those of RampWords.
-  uint32_t same() const noexcept { return last; }
+  uint32_t same() const noexcept { return (last >> 24) * 0x01010101u; }
 
   /// Bytes 0 and 2 lie in one word, 1 and 3 in another, so that none carries
   /// into the next.
   uint32_t next(uint32_t bytes) noexcept {
     constexpr uint32_t kEven = 0x00ff00ff;
-    uint32_t even = bytes & kEven;       // d0, d2
-    uint32_t odd = bytes >> 8 & kEven;   // d1, d3
-    even += sum + ((even + odd) << 16);  // d0, d0 + d1 + d2
+    uint32_t even = (bytes & kEven) + sum;  // d0, d2
+    uint32_t odd = bytes >> 8 & kEven;      // d1, d3
+    even += (even + odd) << 16;             // d0, d0 + d1 + d2
     odd = (odd + even) & kEven;
     even &= kEven;
-    sum = odd >> 16 | (odd & 0xff0000);
+    sum = odd >> 16;
     const uint32_t sums = even | odd << 8;
-    const uint32_t coverage =
+    last =
         __builtin_expect(
             (((even + 0x000f000f) | (odd + 0x000f000f)) & 0x01000100) != 0, 0)
             ? detail::clamp_and_scale(sums)
             : sums + (sums >> 4 & 0x0f0f0f0f);
-    last = (coverage >> 24) * 0x01010101u;
-    return coverage;
+    return last;
   }
 };
 

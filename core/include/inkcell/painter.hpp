@@ -95,6 +95,13 @@ class Painter {
     copy.drawer_ = &cache;
     return copy;
   }
+  /// The same with text that is shaped: by a LineShaper
+  /// (inkcell/layout/line_shaper.hpp), one for each task.
+  Painter with(detail::LineSetter& lines) const noexcept {
+    Painter copy = *this;
+    copy.lines_ = &lines;
+    return copy;
+  }
   /// The same for type that moves: glyphs stay as designed, on any canvas,
   /// unless their style says otherwise.
   Painter for_motion() const noexcept {
@@ -184,7 +191,8 @@ class Painter {
   /// `glyphs` is the part of it that was filled.
   ///
   /// buffer_small: `out` was too short; bad_argument: the text is longer than
-  /// kMaxLineBytes. `glyphs` is then untouched.
+  /// kMaxLineBytes. `glyphs` is then untouched. A LineShaper may make a few
+  /// glyphs more than there are bytes.
   Status lay_out(const Font& font,
                  const Style& style,
                  Text text,
@@ -204,6 +212,7 @@ class Painter {
   const Workspace& ram() const noexcept { return ram_; }
   const detail::GlyphDrawer& drawer() const noexcept { return *drawer_; }
   TextReport* report() const noexcept { return report_; }
+  detail::LineSetter* line_setter() const noexcept { return lines_; }
 
   /// What a style is drawn with here, made in `room` where it differs.
   const Style& adapted(const Style& style, Style& room) const noexcept {
@@ -222,6 +231,7 @@ class Painter {
   Workspace ram_;
   const detail::GlyphDrawer* drawer_;
   TextReport* report_;
+  detail::LineSetter* lines_ = nullptr;
   bool can_fit_ = true;
 };
 

@@ -22,7 +22,7 @@ enum class [[nodiscard]] Status : uint8_t {
   beyond_band   = 9,   // farther than the font's distances reach: --band-px
   read_failed   = 10,  // the storage of a font did not give its bytes
   cut           = 11,  // a text was longer than what takes it
-  needs_shaping = 12,  // letters that are to be joined were not: STRINGS.md
+  needs_shaping = 12,  // letters that are to be joined were not: LAYOUT.md
 };
 // clang-format on
 

@@ -70,6 +70,34 @@ struct Face {
   const Style* style = nullptr;
 };
 
+/// Where a letter stands on its line, with its marks, in reading order: one
+/// that runs to the left begins at its right. [font units]
+struct LetterEdges {
+  int32_t begin = 0;
+  int32_t end = 0;
+  bool is_right_to_left = false;
+};
+
+class Painter;
+class TextCursor;
+
+namespace detail {
+// Lays lines out otherwise than glyph by glyph, one at a time: LineShaper of
+// inkcell/layout/line_shaper.hpp.
+struct LineSetter {
+  void (*begin)(LineSetter& self,
+                const Painter& painter,
+                const TextCursor& line) noexcept;
+  bool (*next)(LineSetter& self, PositionedGlyph& out) noexcept;
+  LetterEdges (*letter)(const LineSetter& self) noexcept;
+
+ protected:
+  // Of a line that begins.
+  static Face face_of(const TextCursor& line) noexcept;
+  static Text text_of(const TextCursor& line) noexcept;
+};
+}  // namespace detail
+
 /// Lays text out glyph by glyph, without a buffer.
 ///
 ///   TextCursor cursor(font, "AV");
@@ -94,6 +122,14 @@ class TextCursor {
              const Style& style,
              TextReport* report = nullptr) noexcept;
 
+  /// The same as a painter lays it out, which must outlive it: with its report,
+  /// and shaped if it has a LineShaper, which then lays out no other line
+  /// meanwhile.
+  TextCursor(const Painter& painter,
+             const Font& font,
+             Text text,
+             const Style& style) noexcept;
+
   /// The next glyph, kerned against the one before; false at the end, where
   /// `out` has no values. A code point that the font lacks gives .notdef, or
   /// what the report says, unless it shows nothing: tabs and other spaces are
@@ -106,20 +142,39 @@ class TextCursor {
   bool is_in_whole_px() const noexcept { return fitter_ != nullptr; }
 
   /// Where the next glyph would stand without kerning. [font units, at most
-  /// 2^24 in magnitude]
+  /// 2^24 in magnitude] Of a line that is shaped: letter().end.
   int32_t advance() const noexcept;
 
+  /// The letter of the glyph that next() gave. After the last one: begin 0, end
+  /// the width of the line, or what next() gave last where nothing is shaped.
+  LetterEdges letter() const noexcept;
+
  private:
+  friend detail::LineSetter;
+
+  __attribute__((always_inline)) void set_style(const Style& style) noexcept {
+    style_ = &style;
+    fitter_ = style.has_whole_advances() ? style.fitter() : nullptr;
+  }
+
   const Font& font_;
   Text text_;
   size_t size_;
   const Style* style_ = nullptr;
   const Fitter* fitter_ = nullptr;  // null: advances are the font's
   TextReport* report_;
+  detail::LineSetter* setter_ = nullptr;
   int32_t advance_ = 0;    // [px with a style, or font units]
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
   int32_t drift_q6_ = 0;   // of a pen in whole pixels, ahead of the design [px]
 };
+
+inline Face detail::LineSetter::face_of(const TextCursor& line) noexcept {
+  return {&line.font_, line.style_};
+}
+inline Text detail::LineSetter::text_of(const TextCursor& line) noexcept {
+  return line.text_;
+}
 
 /// What of a line stands at its origin.
 enum class Anchor : uint8_t { left, centre, right };

@@ -46,8 +46,11 @@ struct TextReport {
   uint32_t first_missing = 0;
   /// The first of these since it was `ok`, which the caller may set again:
   /// no_glyph: a character was missing. cut: a line ended early, after 2^24
-  /// font units or ValueLabel::kMostBytes. needs_shaping: in a box or
-  /// label letters were not joined, or marks not placed (docs/STRINGS.md).
+  /// font units or ValueLabel::kMostBytes. needs_shaping: in a box, a label or
+  /// a line of a LineShaper letters were not joined, or marks not placed
+  /// (docs/LAYOUT.md). buffer_small: the room of a TextShaper was too small for
+  /// a word, or a line of a font where spaces count, whose parts were then
+  /// shaped apart.
   /// bad_argument: a text box has no font, or an empty clip.
   Status status = Status::ok;
 

@@ -49,9 +49,7 @@ BoxLines::BoxLines(const TextBox& box,
                    const Text& text,
                    const Span<const TextLine>& given) noexcept
     : box_(box), setting_{box.options, painter}, text_(text), given_(given) {
-  if (box.options.bidi() != nullptr) {
-    box.options.bidi()->forget();
-  }
+  box.options.forget();
   most_ = is_given() ? given.size : most_lines(box);
 }
 

@@ -6,6 +6,10 @@
 namespace inkcell {
 namespace {
 
+// In shaped text marks stand farther to the left than what is before them. By
+// so many em at most; where a font says more, they may be cut at the window.
+constexpr int32_t kMarkReach = 2;
+
 // How far ink of a face reaches from a glyph's origin, at most. [units of the
 // first face]
 int32_t reach_of(const Face& first, const Face& face) noexcept {
@@ -32,10 +36,7 @@ Status ScrollingLabel::make(const LayoutOptions& options,
     return Status::bad_argument;
   }
   const detail::Setting setting = {options, painter};
-  TextLine line;
-  static_cast<void>(detail::begin_line(setting, text, line));
-  line.base_level = detail::prepare(setting, text, line);
-  detail::find_end(setting, text, Q26_6::from_raw(INT32_MAX), line);
+  const TextLine line = detail::first_line(setting, text);
   Span<const PositionedGlyph> glyphs;
   INKCELL_TRY(detail::lay_out_in(setting, text, line, nullptr, room, glyphs));
   out.face_ = options.face;
@@ -51,6 +52,9 @@ Status ScrollingLabel::make(const LayoutOptions& options,
   for (const Face& face : options.fallback) {
     const int32_t reach = reach_of(options.face, face);
     out.reach_ = reach > out.reach_ ? reach : out.reach_;
+  }
+  if (options.shaper() != nullptr) {
+    out.reach_ += kMarkReach * options.face.font->units_per_em();
   }
   return Status::ok;
 }

@@ -29,7 +29,7 @@ class LineFinder {
              int32_t room,
              detail::LineEnds ends,
              TextLine& line) noexcept
-      : walk_(setting, text, line),
+      : walk_(setting, text, line, static_cast<uint32_t>(text.size)),
         line_(line),
         room_(room),
         end_(line.begin),
@@ -85,7 +85,7 @@ class LineFinder {
   // is no room, but never more than kMaxLineBytes.
   bool take_visible(uint32_t code_point, const LineCell& cell) noexcept {
     const bool is_long = cell.end - line_.begin > kMaxLineBytes;
-    if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
+    if (!has_place_ && (!cell.is_mark() || cell.begin != end_ ||
                         (is_long && line_.next == line_.begin))) {
       end_at(cell.begin);
     }
@@ -156,110 +156,11 @@ bool ends_bidi_paragraph(Text text, uint32_t next) noexcept {
   return last != 0x0b && last != 0x0c && !is_line_separator;
 }
 
-// What is left of a line on both sides of an ellipsis.
-struct Cut {
-  struct Front {
-    uint32_t end;
-    int32_t width;
-    bool has_spacing;  // between it and what follows
-  };
-  int32_t room;     // [units of the pen]
-  int32_t spacing;  // of characters
-  Front front;
-  uint32_t back_begin;
-  int32_t back_width = 0;
-};
-
-// The ellipsis, and what is left of a width. Functions that are not inline
-// leave their stack to those that follow.
-__attribute__((noinline)) Pen::Sign begin_cut(const Setting& setting,
-                                              Q26_6 width,
-                                              Cut& cut) noexcept {
-  const Pen pen(setting, Pen::logical);
-  const Pen::Sign ellipsis = pen.ellipsis();
-  cut.room = pen.from_px(width) - ellipsis.width;
-  cut.spacing = pen.spacing();
-  return ellipsis;
-}
-
-// How far a line reaches in the room, without spaces at its end. Characters
-// keep their marks.
-__attribute__((noinline)) void cut_front(const Setting& setting,
-                                         const Text& text,
-                                         const TextLine& line,
-                                         int32_t room,
-                                         Cut::Front& front) noexcept {
-  LineWalk walk(setting, text, line);
-  LineCell cell;
-  front = {line.begin, 0, false};
-  Cut::Front whole = front;
-  while (walk.next(line.end(), cell) && cell.x_end <= room) {
-    if (!cell.is_mark) {
-      whole = front;
-    }
-    if (cell.has_ink || (cell.is_mark && front.end == cell.begin)) {
-      front = {cell.end, cell.x_end, walk.pen().has_begun()};
-    }
-  }
-  if (cell.is_mark && cell.x_end > room) {
-    front = whole;
-  }
-}
-
-// The line's width in the order of the text, without signs. `back_begin` is
-// then what the back may begin with at the earliest: the front's end, and
-// behind tabs, which would have another width.
-__attribute__((noinline)) int32_t width_of(const Setting& setting,
-                                           const Text& text,
-                                           const TextLine& line,
-                                           Cut& cut) noexcept {
-  LineWalk walk(setting, text, line);
-  LineCell cell;
-  cut.back_begin = cut.front.end;
-  while (walk.next(line.end(), cell)) {
-    if (text.data[cell.begin] == '\t' && cell.end > cut.back_begin) {
-      cut.back_begin = cell.end;
-    }
-  }
-  return walk.pen().at();
-}
-
-// The longest back that leaves room for the front. `width` is the line's.
-__attribute__((noinline)) void cut_back(const Setting& setting,
-                                        const Text& text,
-                                        const TextLine& line,
-                                        int32_t width,
-                                        Cut& cut) noexcept {
-  LineWalk walk(setting, text, line);
-  LineCell cell;
-  while (walk.next(line.end(), cell)) {
-    const int32_t back = width - cell.x + walk.pen().spacing();
-    if (cell.begin >= cut.back_begin && cell.has_ink && !cell.is_mark &&
-        back <= cut.room - cut.front.width) {
-      cut.back_begin = cell.begin;
-      cut.back_width = back;
-      return;
-    }
-  }
-  cut.back_begin = line.end();
-}
-
-// A length of the pen's in font units.
-__attribute__((noinline)) int32_t to_units(const Setting& setting,
-                                           int32_t length) noexcept {
-  return Pen(setting, Pen::logical).to_units(length);
-}
-
 }  // namespace
 
-bool detail::begin_line(const Setting& setting,
-                        const Text& text,
-                        TextLine& line) noexcept {
+bool detail::begin_line(const Text& text, TextLine& line) noexcept {
   if (line.is_found && line.is_last) {
     return false;
-  }
-  if (!line.is_found && setting.options.bidi() != nullptr) {
-    setting.options.bidi()->forget();
   }
   const uint32_t begin = line.next;
   const uint32_t paragraph =
@@ -281,6 +182,9 @@ void detail::find_end(const Setting& setting,
   const int32_t room =
       setting.options.wraps ? room_of(setting, width) : INT32_MAX;
   LineFinder(setting, text, room, ends, line).find();
+  if (setting.options.words() != nullptr) {
+    setting.options.words()->measure_cut(setting, text, line);
+  }
 }
 
 bool detail::is_too_wide(const Setting& setting,
@@ -296,35 +200,10 @@ bool next_line(const LayoutOptions& options,
                Text text,
                Q26_6 width,
                TextLine& line) noexcept {
+  if (!line.is_found) {
+    options.forget();
+  }
   return detail::find_next_line({options, painter}, text, width, line);
-}
-
-void detail::shorten_line(const Setting& setting,
-                          const Text& text,
-                          Q26_6 width,
-                          TextLine& line) noexcept {
-  Cut cut;
-  const Pen::Sign ellipsis = begin_cut(setting, width, cut);
-  int32_t sign = ellipsis.width;
-  const bool is_middle = setting.options.ellipsis == Ellipsis::middle &&
-                         !setting.options.wraps && cut.room > 0;
-  cut_front(setting, text, line, is_middle ? cut.room / 2 : cut.room,
-            cut.front);
-  cut.back_begin = line.end();
-  if (is_middle) {
-    cut_back(setting, text, line, width_of(setting, text, line, cut), cut);
-  }
-  line.has_hyphen = false;
-  line.has_ellipsis = true;
-  line.skip_at = static_cast<uint16_t>(cut.front.end - line.begin);
-  line.skip_length = static_cast<uint16_t>(cut.back_begin - cut.front.end);
-  if (line.base_level % 2 != 0 && !cut.front.has_spacing &&
-      (ellipsis.count != 0 || cut.back_begin != line.end())) {
-    // The front is to the right of the sign, and not spaced from it or, where
-    // no face has a sign, from the back.
-    sign -= cut.spacing;
-  }
-  line.width = to_units(setting, cut.front.width + sign + cut.back_width);
 }
 
 void shorten(const LayoutOptions& options,
@@ -351,13 +230,13 @@ Status detail::lay_out_in(const Setting& setting,
   LineCell cell;
   size_t count = 0;
   while (cursor.next(cell)) {
-    if (!cell.has_ink) {
-      continue;
+    for (bool has_glyph = cell.has_ink; has_glyph;
+         has_glyph = cursor.next_glyph(cell)) {
+      if (count == out.size) {
+        return Status::buffer_small;
+      }
+      out[count++] = detail::positioned(cursor.pen(), line, cell);
     }
-    if (count == out.size) {
-      return Status::buffer_small;
-    }
-    out[count++] = detail::positioned(cursor.pen(), line, cell);
   }
   glyphs = {out.data, count};
   return Status::ok;

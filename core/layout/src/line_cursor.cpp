@@ -1,28 +1,6 @@
 #include "line_cursor.hpp"
 
 namespace inkcell::detail {
-namespace {
-
-// Where the character before `at` begins, at least `begin`. A character that is
-// whole reaches from its lead byte to `at`; any other byte stands alone.
-uint32_t previous(const Text& text, uint32_t begin, uint32_t at) noexcept {
-  for (uint32_t size = 1; size <= 4 && size <= at - begin; ++size) {
-    const uint32_t from = at - size;
-    if ((static_cast<uint8_t>(text.data[from]) & 0xc0) != 0x80) {
-      Text part(text.data + from, size);
-      static_cast<void>(next_code_point(part));
-      return part.size == 0 ? from : at - 1;
-    }
-  }
-  return at - 1;
-}
-
-bool is_mark_at(const Text& text, uint32_t at) noexcept {
-  return is_mark(read_code_point(text, at));
-}
-
-}  // namespace
-
 LineCursor::LineCursor(const Setting& setting,
                        const Text& text,
                        const TextLine& line) noexcept
@@ -86,7 +64,7 @@ bool LineCursor::begin_part() noexcept {
 }
 
 void LineCursor::begin_sign(const Pen::Sign& sign, uint32_t at) noexcept {
-  sign_ = sign.code_point;
+  sign_ = static_cast<uint16_t>(sign.code_point);
   added_ = static_cast<uint8_t>(sign.count);
   at_ = at;
   pen_.begin_sign();
@@ -132,7 +110,8 @@ uint32_t LineCursor::take(LineCell& cell) noexcept {
 
 void LineCursor::put(LineCell& cell) noexcept {
   const uint32_t code_point = take(cell);
-  pen_.put(code_point, cell.is_added ? uint8_t{0} : run_.level, cell);
+  pen_.put(cell.is_added ? WordPart{text_, 0, 0} : part(), code_point,
+           cell.is_added ? uint8_t{0} : run_.level, cell);
   if (cell.is_added) {
     pen_.begin_sign();
   } else {
@@ -163,9 +142,16 @@ bool LineCursor::begin_cluster() noexcept {
   cluster_end_ = rest_end_;
   do {
     rest_end_ = previous(text_, begin, rest_end_);
-  } while (rest_end_ != begin && is_mark_at(text_, rest_end_));
+  } while (rest_end_ != begin && continues(rest_end_));
   at_ = rest_end_;
   return true;
+}
+
+// Whether a character of the run belongs to the one before it.
+bool LineCursor::continues(uint32_t at) noexcept {
+  const ShapedWords* const words = pen_.options().words();
+  return words != nullptr ? words->continues(pen_, part(), run_.level, at)
+                          : is_mark(read_code_point(text_, at));
 }
 
 // Goes to the next character; false: the part is at its end.

@@ -29,6 +29,15 @@ class LineCursor {
     return true;
   }
 
+  // Of a cell with ink: its next glyph; false: it was the last.
+  bool next_glyph(LineCell& cell) const noexcept {
+    if (cell.more_glyphs == 0) {
+      return false;
+    }
+    pen_.options().words()->next_glyph(pen_, cell);
+    return true;
+  }
+
   const Pen& pen() const noexcept { return pen_; }
   // Where the line begins and where it ends. [units of the pen]
   int32_t left() const noexcept { return left_; }
@@ -45,6 +54,11 @@ class LineCursor {
   void begin_run() noexcept;
   bool begin_character() noexcept;
   bool begin_cluster() noexcept;
+  bool continues(uint32_t at) noexcept;
+  WordPart part() const noexcept {
+    return {text_, static_cast<uint32_t>(run_.begin),
+            static_cast<uint32_t>(run_.end)};
+  }
   void put(LineCell& cell) noexcept;
   uint32_t take(LineCell& cell) noexcept;
   void stretch(uint32_t code_point, LineCell& cell) noexcept;
@@ -58,7 +72,8 @@ class LineCursor {
   uint16_t wide_gaps_ = 0;  // and how many of them gain one more
   uint8_t steps_ = 0;       // parts that have begun
   uint8_t added_ = 0;       // signs that are left of an ellipsis or a hyphen
-  uint32_t sign_ = 0;       // its code point
+  uint16_t sign_ = 0;       // its code point
+  bool is_in_text_ = false;
   // The text of a part, its run, and what is left of a cluster of that. Runs to
   // the right are one cluster; of others [run_.begin, rest_end_) is left.
   uint32_t part_begin_ = 0;
@@ -67,7 +82,6 @@ class LineCursor {
   uint32_t rest_end_ = 0;
   uint32_t at_ = 0;
   uint32_t cluster_end_ = 0;
-  bool is_in_text_ = false;
 };
 
 // A cell's glyph in the units of the font.
@@ -76,6 +90,7 @@ inline PositionedGlyph positioned(const Pen& pen,
                                   const LineCell& cell) noexcept {
   PositionedGlyph glyph;
   glyph.x = pen.to_units(cell.x_glyph);
+  glyph.y = cell.y_glyph;
   glyph.glyph = cell.glyph;
   glyph.offset = static_cast<uint16_t>(cell.begin - line.begin);
   glyph.face = cell.face;

@@ -12,16 +12,22 @@ namespace inkcell::detail {
 // outlive it.
 class LineWalk {
  public:
+  // Words end at `end`, if not before.
   LineWalk(const Setting& setting,
            const Text& text,
-           const TextLine& line) noexcept
-      : pen_(setting, Pen::logical), text_(text), at_(line.begin) {
+           const TextLine& line,
+           uint32_t end) noexcept
+      : pen_(setting, Pen::logical),
+        part_{text, line.begin, end},
+        at_(line.begin) {
     pen_.set_base_level(line.base_level);
   }
 
-  bool at_end() const noexcept { return at_ == text_.size; }
+  bool at_end() const noexcept { return at_ == part_.text.size; }
   uint32_t offset() const noexcept { return at_; }
-  Text rest() const noexcept { return {text_.data + at_, text_.size - at_}; }
+  Text rest() const noexcept {
+    return {part_.text.data + at_, part_.text.size - at_};
+  }
   const Pen& pen() const noexcept { return pen_; }
 
   void skip_byte() noexcept { ++at_; }
@@ -29,14 +35,14 @@ class LineWalk {
   // Not at the end: takes the next code point, whose cell put() fills in.
   uint32_t take(LineCell& cell) noexcept {
     cell.begin = at_;
-    const uint32_t code_point = read_code_point(text_, at_);
+    const uint32_t code_point = read_code_point(part_.text, at_);
     cell.end = at_;
     return code_point;
   }
   // Inline, as Pen::put().
   __attribute__((always_inline)) void put(uint32_t code_point,
                                           LineCell& cell) noexcept {
-    pen_.put(code_point, level(cell.begin), cell);
+    pen_.put(part_, code_point, level(cell.begin), cell);
   }
 
   // Both, as long as cells begin before `end`.
@@ -51,14 +57,10 @@ class LineWalk {
   }
 
  private:
-  uint8_t level(uint32_t at) const noexcept {
-    const BidiOrder* const order = pen_.options().order();
-    return order == nullptr ? uint8_t{0}
-                            : order->level(*pen_.options().bidi(), at);
-  }
+  uint8_t level(uint32_t at) const noexcept { return pen_.setting().level(at); }
 
   Pen pen_;
-  const Text& text_;
+  const WordPart part_;
   uint32_t at_;
 };
 

@@ -20,9 +20,7 @@ inline uint8_t prepare(const Setting& setting,
 }
 
 // Goes to the beginning of the next line. False after the last.
-bool begin_line(const Setting& setting,
-                const Text& text,
-                TextLine& line) noexcept;
+bool begin_line(const Text& text, TextLine& line) noexcept;
 
 // Where a line may end.
 enum class LineEnds : uint8_t { at_breaks, anywhere };
@@ -65,11 +63,21 @@ Status lay_out_in(const Setting& setting,
                   Span<PositionedGlyph> out,
                   Span<const PositionedGlyph>& glyphs) noexcept;
 
+// The first line of a text that is one, whatever its length.
+inline TextLine first_line(const Setting& setting, const Text& text) noexcept {
+  setting.options.forget();
+  TextLine line;
+  static_cast<void>(begin_line(text, line));
+  line.base_level = prepare(setting, text, line);
+  find_end(setting, text, Q26_6::from_raw(INT32_MAX), line);
+  return line;
+}
+
 inline bool find_next_line(const Setting& setting,
                            const Text& text,
                            Q26_6 width,
                            TextLine& line) noexcept {
-  if (!begin_line(setting, text, line)) {
+  if (!begin_line(text, line)) {
     return false;
   }
   line.base_level = prepare(setting, text, line);

@@ -36,6 +36,18 @@ bool joins(uint32_t code_point) noexcept {
 
 }  // namespace
 
+uint32_t previous(const Text& text, uint32_t begin, uint32_t at) noexcept {
+  for (uint32_t size = 1; size <= 4 && size <= at - begin; ++size) {
+    const uint32_t from = at - size;
+    if ((static_cast<uint8_t>(text.data[from]) & 0xc0) != 0x80) {
+      Text part(text.data + from, size);
+      static_cast<void>(next_code_point(part));
+      return part.size == 0 ? from : at - 1;
+    }
+  }
+  return at - 1;
+}
+
 bool is_gap(uint32_t code_point) noexcept {
   constexpr uint32_t kCjk = 0x2e80;
   if (code_point < kCjk) {
@@ -85,6 +97,15 @@ int32_t Pen::from_units(int32_t units) const noexcept {
 int32_t Pen::em() const noexcept {
   return advances_.is_whole() ? (setting_.face().style->size().raw + 32) >> 6
                               : setting_.face().font->units_per_em();
+}
+
+// False: the character is not shaped. Not inline: one place that calls it.
+__attribute__((noinline)) bool Pen::put_word(const WordPart& part,
+                                             uint32_t code_point,
+                                             uint8_t level,
+                                             LineCell& cell) noexcept {
+  const ShapedWords* const words = options().words();
+  return words != nullptr && words->put(*this, part, code_point, level, cell);
 }
 
 Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
@@ -149,12 +170,21 @@ int32_t Pen::advance(const Glyph& glyph) const noexcept {
   if (glyph.face == 0) {
     return advances_.advance(glyph.id);
   }
-  // In units of the first face.
-  const Face& own = setting_.face(glyph.face);
   const Advances advances = setting_.advances(glyph.face);
-  int64_t dividend = advances.advance(glyph.id);
+  return from_face(glyph.face, advances.advance(glyph.id), advances.is_whole());
+}
+
+// From whole px or units of a face to units of the pen.
+int32_t Pen::from_face(uint32_t face,
+                       int32_t length,
+                       bool is_whole) const noexcept {
+  if (face == 0 && is_whole == advances_.is_whole()) {
+    return length;
+  }
+  const Face& own = setting_.face(face);
+  int64_t dividend = length;
   int64_t divisor = 1;
-  if (!advances.is_whole()) {  // to px
+  if (!is_whole) {  // to px
     dividend *= own.style->size().raw;
     divisor = em_q6_of(own);
   }
@@ -169,8 +199,8 @@ int32_t Pen::advance(const Glyph& glyph) const noexcept {
 // Where that may differ from the text's order, or the text is cut, each pair
 // stands for itself.
 int32_t Pen::kerning(const LineCell& cell) noexcept {
-  if (!cell.is_kerned || !previous_.is_found || previous_.face != 0 ||
-      cell.face != 0) {
+  if (cell.kind != CellKind::kerned || !previous_.is_found ||
+      previous_.face != 0 || cell.face != 0) {
     return 0;
   }
   const bool is_rtl = cell.level % 2 != 0;
@@ -228,14 +258,14 @@ void Pen::begin_cell(uint8_t level, LineCell& cell) noexcept {
   }
   cell.level = level;
   cell.x_glyph = 0;
+  cell.y_glyph = 0;
+  cell.more_glyphs = 0;
 }
 
 void Pen::look_up_tab(uint8_t level, LineCell& cell) noexcept {
   begin_cell(level, cell);
-  cell.is_mark = false;
+  cell.kind = CellKind::other;
   cell.has_ink = false;
-  cell.is_base = false;
-  cell.is_kerned = false;
   cell.x_end = next_tab(tab_step()) - at_;
   begin_run();
   has_begun_ = false;
@@ -246,13 +276,13 @@ void Pen::look_up_tab(uint8_t level, LineCell& cell) noexcept {
 // kerning nor in spacing, and nothing reaches over a tab.
 void Pen::look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept {
   begin_cell(level, cell);
-  cell.is_mark = is_mark(code_point);
+  const bool is_mark_itself = is_mark(code_point);
   if (level % 2 != 0 && options().order() != nullptr) {
     code_point = options().order()->mirrored(code_point);
   }
   const Shown shown = shown_as(code_point);
   const bool is_placed =
-      shown == Shown::mark || (shown == Shown::glyph && cell.is_mark);
+      shown == Shown::mark || (shown == Shown::glyph && is_mark_itself);
   if (setting_.painter.report() != nullptr &&
       (is_placed || joins(code_point))) {
     setting_.painter.report()->note(Status::needs_shaping);
@@ -264,8 +294,10 @@ void Pen::look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept {
   cell.has_ink = glyph.is_found && shown != Shown::space;
   const bool is_tabular =
       options().tabular_digits && code_point - '0' < 10 && glyph.is_found;
-  cell.is_base = !cell.is_mark && (glyph.is_found || advance != 0);
-  cell.is_kerned = cell.is_base && glyph.is_found && !is_tabular;
+  cell.kind = is_mark_itself                   ? CellKind::mark
+              : glyph.is_found && !is_tabular  ? CellKind::kerned
+              : glyph.is_found || advance != 0 ? CellKind::base
+                                               : CellKind::other;
   cell.x_end = advance;
   if (is_tabular) {
     cell.x_end = digit_width();
@@ -274,10 +306,10 @@ void Pen::look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept {
 }
 
 void Pen::place(int32_t kerning, LineCell& cell) noexcept {
-  if (cell.is_base) {
+  if (cell.is_base()) {
     move((has_begun_ ? spacing_ : 0) + kerning);
     has_begun_ = true;
-    previous_ = {cell.glyph, cell.face, cell.is_kerned};
+    previous_ = {cell.glyph, cell.face, cell.kind == CellKind::kerned};
   }
   cell.x = at_;
   cell.x_glyph += at_;

@@ -6,6 +6,7 @@
 #include "inkcell/layout/layout.hpp"
 #include "line_class.hpp"
 #include "setting.hpp"
+#include "shaped_words.hpp"
 #include "text/advances.hpp"
 #include "text/blank.hpp"
 
@@ -20,6 +21,13 @@ inline bool is_mark(uint32_t code_point) noexcept {
 // lines may end without them.
 bool is_gap(uint32_t code_point) noexcept;
 
+enum class CellKind : uint8_t {
+  other,   // a tab, and what moves nothing
+  mark,    // of the character before it
+  base,    // spaced from the one before it,
+  kerned,  // and kerned
+};
+
 // A character on its line. Positions count from the line's left end, in the
 // pen's unit: whole pixels where the style has such advances, else font units.
 struct LineCell {
@@ -28,15 +36,26 @@ struct LineCell {
   int32_t x = 0;
   int32_t x_end = 0;
   int32_t x_glyph = 0;
+  int16_t y_glyph = 0;  // always in font units
   uint16_t glyph = 0;
   uint8_t face = 0;
   uint8_t level = 0;
-  bool has_ink = false;    // `glyph` is to be drawn
-  bool is_mark = false;    // of the character before it
-  bool is_added = false;   // an ellipsis or a hyphen
-  bool is_base = false;    // spaced from the one before it,
-  bool is_kerned = false;  // and kerned
+  bool has_ink = false;   // `glyph` is to be drawn
+  bool is_added = false;  // an ellipsis or a hyphen
+  CellKind kind = CellKind::other;
+
+  bool is_mark() const noexcept { return kind == CellKind::mark; }
+  bool is_base() const noexcept { return kind >= CellKind::base; }
+
+  // Of a word that was shaped: `glyph` is that of the shaper's, and so many
+  // are of its cluster behind it.
+  uint8_t more_glyphs = 0;
+  uint16_t shaped_glyph = 0;
 };
+
+// Where the character before `at` begins, at least `begin`. A character that is
+// whole reaches from its lead byte to `at`; any other byte stands alone.
+uint32_t previous(const Text& text, uint32_t begin, uint32_t at) noexcept;
 
 // Reads the code point at a byte of a text, and passes it.
 inline uint32_t read_code_point(const Text& text, uint32_t& at) noexcept {
@@ -89,9 +108,13 @@ class Pen {
 
   // Fills in `cell` but for its bytes. Inline, and in steps: the font's tables
   // are read from the caller's frame, on the deepest stack of layout.
-  __attribute__((always_inline)) void put(uint32_t code_point,
+  __attribute__((always_inline)) void put(const WordPart& part,
+                                          uint32_t code_point,
                                           uint8_t level,
                                           LineCell& cell) noexcept {
+    if (put_word(part, code_point, level, cell)) {
+      return;
+    }
     if (code_point == '\t') {
       look_up_tab(level, cell);
     } else {
@@ -111,23 +134,42 @@ class Pen {
   Sign ellipsis() const noexcept;
   Sign hyphen() const noexcept;
 
- private:
   struct Glyph {
     uint16_t id = 0;
     uint8_t face = 0;
     bool is_found = false;
   };
+  // In the first face that has it.
+  Glyph find(uint32_t code_point) const noexcept;
 
+  // For a cluster of the shaper's word: its glyphs from `first` to before
+  // `end`, none of a character that belongs to the one before it.
+  void put_cluster(uint32_t code_point,
+                   uint8_t level,
+                   uint32_t first,
+                   uint32_t end,
+                   LineCell& cell) noexcept;
+  void next_glyph(LineCell& cell) const noexcept;
+
+ private:
+  bool put_word(const WordPart& part,
+                uint32_t code_point,
+                uint8_t level,
+                LineCell& cell) noexcept;
   void begin_run() noexcept {
     previous_ = {};
     drift_q6_ = 0;
   }
-  Glyph find(uint32_t code_point) const noexcept;
   Glyph find_shown(uint32_t code_point,
                    Shown shown,
                    int32_t& advance) const noexcept;
   void replace(uint32_t code_point, Glyph& glyph) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
+  int32_t from_face(uint32_t face,
+                    int32_t length,
+                    bool is_whole) const noexcept;
+  void take_glyph(LineCell& cell) const noexcept;
+  int32_t advance_of(const TextGlyph& glyph, uint32_t face) const noexcept;
   void look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept;
   int32_t kerning(const LineCell& cell) noexcept;
   void place(int32_t kerning, LineCell& cell) noexcept;

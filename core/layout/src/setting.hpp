@@ -24,6 +24,11 @@ struct Setting {
     const bool is_whole = fitter != nullptr && fitter->has_advances(*own.style);
     return {*own.font, own.style, is_whole ? fitter : nullptr};
   }
+  // Of a character of the paragraph that was prepared.
+  uint8_t level(uint32_t at) const noexcept {
+    const BidiOrder* const order = options.order();
+    return order == nullptr ? uint8_t{0} : order->level(*options.bidi(), at);
+  }
 };
 
 }  // namespace inkcell::detail

@@ -29,7 +29,9 @@ __attribute__((noinline)) void draw_line(const BoxLines& lines,
   LineCell cell;
   while (cursor.next(cell)) {
     if (cell.has_ink) {
-      drawer.draw(detail::positioned(cursor.pen(), lines.line(), cell));
+      do {
+        drawer.draw(detail::positioned(cursor.pen(), lines.line(), cell));
+      } while (cursor.next_glyph(cell));
     }
   }
 }
@@ -55,7 +57,7 @@ class Carets {
         end_x_ = is_rtl ? cell.x : cell.x_end;
         has_end_ = true;
       }
-      if (cell.is_mark || (cell.is_added && cell.begin == line.end())) {
+      if (cell.is_mark() || (cell.is_added && cell.begin == line.end())) {
         continue;
       }
       offset = cell.begin;

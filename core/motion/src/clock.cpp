@@ -19,6 +19,29 @@ uint32_t digit_of(uint32_t second, int32_t digit) noexcept {
   return second / kPlaces[digit].seconds % kPlaces[digit].values;
 }
 
+bool find_way(const Font& font,
+              uint32_t from,
+              uint32_t to,
+              OutlineMorph& morph) noexcept {
+  return OutlineMorph::open(font, font.glyph_or_notdef('0' + from),
+                            font.glyph_or_notdef('0' + to),
+                            morph) == Status::ok;
+}
+
+// Whether all digits of a change have a way. Not inline: a frame of its own.
+__attribute__((noinline)) bool have_ways(const Font& font,
+                                         uint32_t from,
+                                         uint32_t to,
+                                         int32_t digits) noexcept {
+  for (int32_t i = 0; i < digits; ++i) {
+    OutlineMorph morph;
+    if (!find_way(font, digit_of(from, i), digit_of(to, i), morph)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 Q16_16 part_at(int32_t since_ms) noexcept {
   return ease(kChange, fraction(0, Clock::kEndMs, since_ms));
 }
@@ -74,6 +97,9 @@ Rect Clock::at(uint32_t from, uint32_t to, int32_t since_ms) noexcept {
       changed = bounding_box(changed, cell(i));
     }
   }
+  if (from_ != from || to_ != to) {
+    can_morph_ = have_ways(*face_.font, from, to, digits());
+  }
   from_ = from;
   to_ = to;
   since_ms_ = since_ms;
@@ -88,14 +114,14 @@ void Clock::draw_digit(const Painter& painter,
   }
   const Font& font = *face_.font;
   const Q16_16 part = progress(digit);
-  const uint16_t glyphs[2] = {
-      font.glyph_or_notdef('0' + digit_of(from_, digit)),
-      font.glyph_or_notdef('0' + digit_of(to_, digit))};
+  const uint32_t values[2] = {digit_of(from_, digit), digit_of(to_, digit)};
   Point at = {left_of(digit), origin_.y};
   OutlineMorph morph;
-  if (part.raw == 1 << 16 ||
-      OutlineMorph::open(font, glyphs[0], glyphs[1], morph) != Status::ok ||
+  if (part.raw == 1 << 16 || !can_morph_ ||
+      !find_way(font, values[0], values[1], morph) ||
       OutlineMorph::workspace_bytes(font) > painter.ram().size) {
+    const uint16_t glyphs[2] = {font.glyph_or_notdef('0' + values[0]),
+                                font.glyph_or_notdef('0' + values[1])};
     draw_roll(painter, {&font, &style}, cells_, at, glyphs, part);
     return;
   }

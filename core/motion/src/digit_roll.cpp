@@ -63,7 +63,8 @@ void draw_roll(const Painter& painter,
   soft.target = &painter.sink();
   soft.window = cells_box(cells, at, 0, 1);
   const int32_t pitch = cells.bottom - cells.top;
-  const int32_t edge = clamp(pitch / 8, 1, 255);
+  // Within the room beside digits, so that none fades at rest.
+  const int32_t edge = clamp(pitch / 12, 1, 255);
   soft.soft.top = soft.soft.bottom = static_cast<uint8_t>(edge);
   const Sink sink = make_sink(soft);
   if (is_empty(sink.window)) {
@@ -71,20 +72,19 @@ void draw_roll(const Painter& painter,
   }
   const Painter rolls = painter.with(sink).for_motion();
   // Up by a part of the pitch.
-  at.y.raw -= lerp(0, pitch * 64, part);
-  for (const uint16_t digit : digits) {
-    if (digit != kBlank) {
+  const int32_t up = lerp(0, pitch * 64, part);
+  for (int32_t i = 0; i < 2; ++i) {
+    const uint16_t digit = digits[i];
+    const int32_t down = i * pitch * 64 - up;
+    if (digit != kBlank && abs(down) < pitch * 64) {
       const Font& font = *face.font;
       const Q26_6 width = to_px(font, *face.style, font.advance(digit));
       rolls.glyph(
           font, *face.style,
-          {Q26_6::from_raw(at.x.raw + (cells.width.raw - width.raw) / 2), at.y},
+          {Q26_6::from_raw(at.x.raw + (cells.width.raw - width.raw) / 2),
+           Q26_6::from_raw(at.y.raw + down)},
           digit);
     }
-    if (part.raw == 0) {
-      return;
-    }
-    at.y.raw += pitch * 64;
   }
 }
 

@@ -72,7 +72,7 @@ struct Curve {
   bool is_line;
 };
 
-// Along one outline, or along a slit of the other.
+// Along one outline, or at a point of the other's ink.
 class Track {
  public:
   Vertex control;  // of the piece at hand
@@ -82,48 +82,28 @@ class Track {
 
   void begin(const MorphOutline& outline, Bits& bits, uint32_t width) noexcept {
     outline_ = &outline;
-    is_slit_ = false;
+    is_point_ = false;
     jump(bits, width);
   }
 
-  // `length_q10`: of the slit, of all of it.
-  void begin_slit(const MorphOutline& outline,
-                  Bits& bits,
-                  uint32_t width,
-                  int32_t length_q10) noexcept {
-    outline_ = &outline;
-    Vertex ends[2];
-    for (Vertex& end : ends) {
-      jump(bits, width);
-      const Vertex first = at;
-      jump(bits, width);
-      end = middle(first, at);
-    }
-    is_slit_ = true;
-    middle_ = middle(ends[0], ends[1]);
-    along_ = between({0, 0},
-                     {difference(ends[1].x_q8, ends[0].x_q8),
-                      difference(ends[1].y_q8, ends[0].y_q8)},
-                     length_q10, 10);
+  // The middle of a chord, where all pieces are.
+  void begin_point(const MorphOutline& outline,
+                   Bits& bits,
+                   uint32_t width) noexcept {
+    begin(outline, bits, width);
+    const Vertex first = at;
+    jump(bits, width);
+    at = middle(first, at);
+    is_point_ = true;
   }
-
-  // Where a slit's contour begins: where its last piece ends.
-  void set_fraction(uint32_t eighth) noexcept {
-    at = between(
-        middle_,
-        {sum(middle_.x_q8, along_.x_q8), sum(middle_.y_q8, along_.y_q8)},
-        2 * static_cast<int32_t>(eighth) - 7, 4);
-  }
-
-  bool is_slit() const noexcept { return is_slit_; }
 
   // The next piece.
   void move(Bits& bits, uint32_t width) noexcept {
     const Vertex from = at;
     is_line = true;
     is_cut = false;
-    if (is_slit_) {
-      set_fraction(bits.take(morphs::kEighthBits));
+    if (is_point_) {
+      // There it stays.
     } else if (bits.take(1) == 0) {
       cut(8);
       step();
@@ -212,14 +192,39 @@ class Track {
   const MorphOutline* outline_;
   int32_t segment_;
   int32_t eighth_;
-  bool is_slit_;
-  Vertex middle_;
-  Vertex along_;
+  bool is_point_;
 };
 
-// A slit lengthens in the first quarter of the time.
-int32_t slit_length(int32_t progress_q10) noexcept {
-  return min(4 * progress_q10, 1024);
+// Of a contour that one glyph lacks: how large it is beside one that travels
+// evenly. It appears within a 16th of the time.
+constexpr int32_t kSizeLog2 = 6;
+constexpr int32_t kWholeSize = 1 << kSizeLog2;
+
+int32_t read_size(Bits& bits, int32_t since_q10) noexcept {
+  const auto birth = static_cast<int32_t>(bits.take(morphs::kBirthBits));
+  const auto swell = static_cast<int32_t>(bits.take(morphs::kSwellBits));
+  const int32_t born = clamp(since_q10 - 64 * birth, 0, kWholeSize);
+  // 64 half-way.
+  const int32_t bulge = since_q10 * (1024 - since_q10) >> 12;
+  return born * (256 + swell * bulge) >> 8;
+}
+
+// Resizes the contour about the middle of the box of its joints.
+void resize(ScreenPoint* begin, const ScreenPoint* end, int32_t size) noexcept {
+  Vertex low = vertex_of(*begin);
+  Vertex high = low;
+  for (const ScreenPoint* point = begin; point != end; ++point) {
+    if (point->kind() != kOffCurve) {
+      const Vertex at = vertex_of(*point);
+      low = {min(low.x_q8, at.x_q8), min(low.y_q8, at.y_q8)};
+      high = {max(high.x_q8, at.x_q8), max(high.y_q8, at.y_q8)};
+    }
+  }
+  const Vertex centre = middle(low, high);
+  for (; begin != end; ++begin) {
+    const Vertex at = between(centre, vertex_of(*begin), size, kSizeLog2);
+    *begin = ScreenPoint::at(at.x_q8, at.y_q8, begin->kind());
+  }
 }
 
 // The glyphs in which a piece is a cut, a bit each.
@@ -274,16 +279,16 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
       return out;
     }
     uint32_t pieces = bits.take(morphs::kPieceCountBits);
+    int32_t size = kWholeSize;
     if (kind == morphs::kSecondOnly) {
-      first.begin_slit(outlines[0], bits, width, slit_length(progress_q10));
-      first.set_fraction(bits.take(morphs::kEighthBits));
+      first.begin_point(outlines[0], bits, width);
+      size = read_size(bits, progress_q10);
     } else {
       first.begin(outlines[0], bits, width);
     }
     if (kind == morphs::kFirstOnly) {
-      second.begin_slit(outlines[1], bits, width,
-                        slit_length(1024 - progress_q10));
-      second.set_fraction(bits.take(morphs::kEighthBits));
+      second.begin_point(outlines[1], bits, width);
+      size = read_size(bits, 1024 - progress_q10);
     } else {
       second.begin(outlines[1], bits, width);
     }
@@ -325,6 +330,11 @@ ScreenPoint* write_morph(const Span<const uint8_t>& record,
       --out;
     } else {
       out[-1] = start_ends.at(part, kCorner);
+    }
+    if (size == 0) {
+      out = start;
+    } else if (size != kWholeSize) {
+      resize(start, out, size);
     }
   }
 }

@@ -8,7 +8,9 @@ namespace inkcell::motion {
 PosedGlyph MovingLetters::posed(size_t index, int32_t now_ms) const noexcept {
   constexpr int32_t kMostMs = 1 << 30;
   const int64_t time =
-      int64_t{now_ms} - delay_of(motion_.stagger, index, run_.glyphs.size);
+      int64_t{now_ms} - delay_of(motion_.stagger,
+                                 unit_of(run_, Unit::glyph, index),
+                                 unit_count(run_, Unit::glyph));
   return place(
       font_, run_, index, where_,
       pose_at(motion_.keys,

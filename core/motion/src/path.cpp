@@ -1,6 +1,7 @@
 // Polylines by length, and glyphs along them and on circles.
 #include "inkcell/motion/path.hpp"
 
+#include "as_designed.hpp"
 #include "base/math.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "limits.hpp"
@@ -67,22 +68,23 @@ int64_t along_at(const Path& path,
   return at;
 }
 
-// Draws a glyph whose origin is `x` font units along the line, and returns its
-// box. Not inline: a frame of its own.
+// Draws a glyph and returns its box. `at.x`: from the circle's anchor;
+// `middle`: that of its letter, twice, from the glyph's origin. [font units]
+// Not inline: a frame of its own.
 __attribute__((noinline)) Rect draw_glyph(const Painter& painter,
                                           const Font& font,
                                           const Style& style,
                                           const TextCircle& circle,
-                                          int32_t x,
-                                          uint16_t glyph) noexcept {
+                                          const PositionedGlyph& at,
+                                          int32_t middle) noexcept {
   constexpr int64_t kTurn = 683565276;  // 1 / (2 pi) [Q32]
   const Q26_6 size = style.size();
   const int32_t side = circle.side == CircleSide::outside ? 1 : -1;
   const int32_t radius_q6 = clamp(circle.radius.raw, 64, 8191 * 64);
   const int32_t spaced_q6 = max(radius_q6 + side * (size.raw / 4), 64);
-  // The middle of the advance is on the circle.
-  const int32_t half_q16 = to_px_q16(font, size, font.advance(glyph)).raw / 2;
-  const int64_t along_q16 = int64_t{to_px_q16(font, size, x).raw} + half_q16;
+  // The middle of the letter is on the circle.
+  const int32_t half_q16 = to_px_q16(font, size, middle).raw / 2;
+  const int64_t along_q16 = int64_t{to_px_q16(font, size, at.x).raw} + half_q16;
   const int64_t turns_q16 =
       (side * along_q16 * (kTurn * 64 / spaced_q6) + (int64_t{1} << 31)) >> 32;
   const Direction out = direction_of(
@@ -90,8 +92,9 @@ __attribute__((noinline)) Rect draw_glyph(const Painter& painter,
   const int32_t right = side * out.sine.raw;
   const int32_t up = -side * out.cosine.raw;
   // From the centre to the circle, and back by half of the advance.
+  const int64_t rise_q16 = side * to_px_q16(font, size, at.y).raw;
   const auto px = [&](Q26_6 centre, int32_t to, int32_t back) {
-    const int64_t far_q46 = int64_t{radius_q6} * (1 << 10) * to -
+    const int64_t far_q46 = (int64_t{radius_q6} * (1 << 10) + rise_q16) * to -
                             int64_t{half_q16} * back + (int64_t{1} << 39);
     return Q26_6::from_raw(
         clamp_i64(centre.raw + (far_q46 >> 40), INT32_MIN, INT32_MAX));
@@ -105,9 +108,9 @@ __attribute__((noinline)) Rect draw_glyph(const Painter& painter,
   if (style.effect() != nullptr) {
     turned.set_effect(*style.effect());
   }
-  const Rect box = painter.glyph_box(font, turned, origin, glyph);
+  const Rect box = painter.glyph_box(font, turned, origin, at.glyph);
   if (!is_empty(intersect(box, painter.sink().window))) {
-    painter.glyph(font, turned, origin, glyph);
+    painter.glyph(font, turned, origin, at.glyph);
   }
   return box;
 }
@@ -261,10 +264,12 @@ PosedGlyph place(const Font& font,
       to_px_q16(font, where.size, glyph.x).raw + half +
       int64_t{where.tracking.raw} * glyph.half_gaps * (1 << 9);
   const Q16_16 pivot = pivot_height_px(where.size, where.pivot_height);
-  // From the path to the pivot, to the left of the path.
+  // From the path to the pivot, to the left of the path. Marks turn with their
+  // letters.
+  const int32_t down = glyph.line * run.line_height;
   const int64_t aside = int64_t{pivot.raw} +
-                        int64_t{where.lift.raw} * (1 << 10) +
-                        to_px_q16(font, where.size, glyph.y).raw;
+                        int64_t{where.lift.raw} * (1 << 10) -
+                        to_px_q16(font, where.size, down).raw;
   int64_t middle = along_at(path, where.start.raw, along_q16, aside, wraps);
   PosedGlyph posed;
   posed.glyph = glyph.glyph;
@@ -292,7 +297,8 @@ PosedGlyph place(const Font& font,
       angle_of(to.x.raw / 2 - from.x.raw / 2, from.y.raw / 2 - to.y.raw / 2);
   posed.pose.angle.raw = static_cast<uint16_t>(pose.angle.raw + along.raw);
   posed.pivot_x.raw = static_cast<int32_t>(half);
-  posed.pivot_y = pivot;
+  posed.pivot_y.raw =
+      pivot.raw - to_px_q16(font, where.size, glyph.y + down).raw;
   const int64_t x = on.x.raw - (aside * sine(along).raw >> 14);
   const int64_t y = on.y.raw - (aside * cosine(along).raw >> 14);
   posed.at.x.raw = static_cast<int32_t>((x + (1 << 9)) >> 10);
@@ -309,14 +315,23 @@ Rect draw_on_circle(const Painter& painter,
   if (detail::StyleParts::band_kind(style) == nullptr) {
     return box;  // nothing is drawn
   }
+  const Painter designing = painter.for_motion();
   const auto halves = static_cast<int32_t>(circle.anchor);
-  const int32_t first =
-      halves == 0 ? 0 : measure(font, text).advance * halves / 2;
-  TextCursor cursor(font, text, painter.report());
+  int32_t first = 0;
   PositionedGlyph at;
+  if (halves != 0) {
+    TextCursor cursor(designing, font, text, kAsDesigned);
+    while (cursor.next(at)) {
+    }
+    first = cursor.advance() * halves / 2;
+  }
+  TextCursor cursor(designing, font, text, kAsDesigned);
   while (cursor.next(at)) {
-    box = bounding_box(
-        box, draw_glyph(painter, font, style, circle, at.x - first, at.glyph));
+    const LetterEdges letter = cursor.letter();
+    const int32_t middle = letter.begin + letter.end - 2 * at.x;
+    at.x -= first;
+    box =
+        bounding_box(box, draw_glyph(painter, font, style, circle, at, middle));
   }
   return box;
 }

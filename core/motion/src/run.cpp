@@ -1,6 +1,7 @@
 // Lays out words and lines, and places them on straight lines.
 #include "inkcell/motion/run.hpp"
 
+#include "as_designed.hpp"
 #include "limits.hpp"
 
 namespace inkcell::motion {
@@ -31,31 +32,33 @@ Text next_line(Text& text) noexcept {
 
 // Shifts a line that starts at 0 to its anchor.
 void anchor_line(Anchor anchor, int32_t width, Span<RunGlyph> line) noexcept {
-  const auto gaps = static_cast<int32_t>(line.size) - 1;
+  const int32_t first = line.size == 0 ? 0 : line[0].letter;
+  const int32_t gaps = line.size == 0 ? 0 : line[line.size - 1].letter - first;
   const int32_t parts = static_cast<int32_t>(anchor);  // in halves
-  for (size_t i = 0; i < line.size; ++i) {
-    line[i].x -= width * parts / 2;
-    const int32_t half_gaps = 2 * static_cast<int32_t>(i) - gaps * parts;
-    line[i].half_gaps = static_cast<int16_t>(half_gaps);
+  for (RunGlyph& glyph : line) {
+    glyph.x -= width * parts / 2;
+    glyph.half_gaps =
+        static_cast<int16_t>(2 * (glyph.letter - first) - gaps * parts);
   }
 }
 
-}  // namespace
-
-Status lay_out(const Font& font,
-               Text text,
-               Anchor anchor,
-               Span<RunGlyph> out,
-               Run& run) noexcept {
+// lay_out() of a painter for motion. Not inline: a frame of its own.
+__attribute__((noinline)) Status lay_out_by(const Painter& designing,
+                                            const Font& font,
+                                            Text text,
+                                            Anchor anchor,
+                                            Span<RunGlyph> out,
+                                            Run& run) noexcept {
   const FontMetrics metrics = font.metrics();
   Run result;
   result.line_height = metrics.ascender - metrics.descender + metrics.line_gap;
   size_t count = 0;
   uint16_t word = 0;
   do {
-    TextCursor cursor(font, next_line(text));
+    TextCursor cursor(designing, font, next_line(text), kAsDesigned);
     const size_t first = count;
     bool in_word = false;
+    int32_t offset = -1;  // of the letter before
     PositionedGlyph glyph;
     while (cursor.next(glyph)) {
       if (!has_ink(font, glyph.glyph)) {
@@ -68,13 +71,18 @@ Status lay_out(const Font& font,
         return Status::buffer_small;
       }
       in_word = true;
+      result.letters = static_cast<uint16_t>(result.letters +
+                                             (glyph.offset != offset ? 1 : 0));
+      offset = glyph.offset;
+      const LetterEdges letter = cursor.letter();
       out[count++] = {glyph.x,
                       glyph.y - result.lines * result.line_height,
-                      font.advance(glyph.glyph),
+                      letter.begin + letter.end - 2 * glyph.x,
                       glyph.glyph,
                       word,
                       result.lines,
-                      0};
+                      0,
+                      static_cast<uint16_t>(result.letters - 1)};
     }
     word = static_cast<uint16_t>(word + (in_word ? 1 : 0));
     const int32_t width = cursor.advance();
@@ -86,6 +94,30 @@ Status lay_out(const Font& font,
   result.glyphs = {out.data, count};
   run = result;
   return Status::ok;
+}
+
+// Of a glyph's origin above the baseline of its line. [font units]
+int32_t rise_of(const Run& run, const RunGlyph& glyph) noexcept {
+  return glyph.y + glyph.line * run.line_height;
+}
+
+}  // namespace
+
+Status lay_out(const Font& font,
+               Text text,
+               Anchor anchor,
+               Span<RunGlyph> out,
+               Run& run) noexcept {
+  return lay_out(Painter(), font, text, anchor, out, run);
+}
+
+Status lay_out(const Painter& painter,
+               const Font& font,
+               Text text,
+               Anchor anchor,
+               Span<RunGlyph> out,
+               Run& run) noexcept {
+  return lay_out_by(painter.for_motion(), font, text, anchor, out, run);
 }
 
 Status lay_out(const Font& font,
@@ -107,9 +139,11 @@ Status lay_out(const Font& font,
     if (count == out.size || count == 0x3fff) {
       return Status::buffer_small;
     }
-    out[count++] = {x, glyph.y, font.advance(glyph.glyph), glyph.glyph, 0,
-                    0, 0};
+    out[count] = {x, glyph.y, font.advance(glyph.glyph), glyph.glyph};
+    out[count].letter = static_cast<uint16_t>(count);
+    ++count;
   }
+  result.letters = static_cast<uint16_t>(count);
   result.width = clamp_i64(text.advance, -kFar, kFar);
   anchor_line(anchor, result.width, {out.data, count});
   result.words = count != 0 ? 1 : 0;
@@ -120,13 +154,13 @@ Status lay_out(const Font& font,
 }
 
 uint32_t unit_count(const Run& run, Unit unit) noexcept {
-  return unit == Unit::glyph  ? static_cast<uint32_t>(run.glyphs.size)
+  return unit == Unit::glyph  ? run.letters
          : unit == Unit::word ? run.words
                               : run.lines;
 }
 
 uint32_t unit_of(const Run& run, Unit unit, size_t index) noexcept {
-  return unit == Unit::glyph  ? static_cast<uint32_t>(index)
+  return unit == Unit::glyph  ? run.glyphs[index].letter
          : unit == Unit::word ? run.glyphs[index].word
                               : run.glyphs[index].line;
 }
@@ -157,7 +191,9 @@ PosedGlyph place(const Font& font,
   posed.glyph = glyph.glyph;
   posed.pose = pose;
   posed.pivot_x.raw = to_px_q16(font, where.size, glyph.advance).raw / 2;
-  posed.pivot_y = pivot_height_px(where.size, where.pivot_height);
+  // Marks turn with their letters.
+  posed.pivot_y.raw = pivot_height_px(where.size, where.pivot_height).raw -
+                      to_px_q16(font, where.size, rise_of(run, glyph)).raw;
   const int64_t x_q16 =
       int64_t{to_px_q16(font, where.size, glyph.x).raw} + posed.pivot_x.raw +
       int64_t{where.tracking.raw} * glyph.half_gaps * (1 << 9);

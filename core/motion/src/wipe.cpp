@@ -11,10 +11,14 @@ Rect Wipe::at(int32_t now_ms, const Painter& painter) noexcept {
   const int32_t last = edge_;
   if (last == INT32_MIN) {
     box_ = painter.box(*face_.font, *face_.style, origin_, text_);
-    soft_ = static_cast<uint8_t>(clamp(face_.style->size().raw >> 7, 1, 255));
+    if (x0_ == x1_) {
+      set_edge(
+          box_.x0, box_.x1,
+          static_cast<uint8_t>(clamp(face_.style->size().raw >> 7, 1, 255)));
+    }
   }
-  edge_ = lerp(box_.x0, box_.x1 + soft_,
-               ease(kEaseInOut, progress_at(timing_, now_ms)));
+  edge_ =
+      lerp(x0_, x1_ + soft_, ease(kEaseInOut, progress_at(timing_, now_ms)));
   if (last == INT32_MIN) {
     return box_;
   }

@@ -1,33 +1,12 @@
 // Characters in the order and the forms in which they are drawn.
 #include "shaper.hpp"
+#include "text/blank.hpp"
 
 namespace inkcell::detail {
 
 namespace shap = format::shaping;
 
 namespace {
-
-// Code points that show nothing where no lookup replaces them.
-bool is_default_ignorable(uint32_t c) noexcept {
-  struct Range {
-    uint32_t first;
-    uint32_t extra;
-  };
-  static constexpr Range kRanges[] = {
-      {0xad, 0},    {0x34f, 0},  {0x61c, 0},   {0x115f, 1},
-      {0x17b4, 1},  {0x180b, 4}, {0x200b, 4},  {0x202a, 4},
-      {0x2060, 15}, {0x3164, 0}, {0xfe00, 15}, {0xfeff, 0},
-      {0xffa0, 0},  {0xfff0, 8}, {0x1d173, 7}, {0xe0000, 0xfff}};
-  if (c < 0xad) {
-    return false;
-  }
-  for (const Range& range : kRanges) {
-    if (c - range.first <= range.extra) {
-      return true;
-    }
-  }
-  return false;
-}
 
 // Of Thai, and of Lao, which is the same 128 code points higher.
 bool is_above_base(uint32_t c) noexcept {
@@ -36,29 +15,17 @@ bool is_above_base(uint32_t c) noexcept {
 }
 
 // Whether ranks are in the order of Unicode there.
-bool is_letter_mark(const RunGlyph& glyph) noexcept {
+bool is_letter_mark(const TextGlyph& glyph) noexcept {
   return glyph.row != 0;
 }
 
-uint8_t number_of_mark(const RunGlyph& glyph) noexcept {
+uint8_t number_of_mark(const TextGlyph& glyph) noexcept {
   return static_cast<uint8_t>(glyph.link);
-}
-
-// Where the character before the byte `at` begins; bytes of no character are
-// one each.
-size_t before(const Text& text, size_t at) noexcept {
-  const size_t most = at > 4 ? at - 4 : 0;
-  size_t begin = at - 1;
-  while (begin > most &&
-         (static_cast<uint8_t>(text.data[begin]) & 0xc0) == 0x80) {
-    --begin;
-  }
-  return begin;
 }
 
 }  // namespace
 
-void Shaper::set_traits(RunGlyph& glyph, uint32_t code) noexcept {
+void Shaper::set_traits(TextGlyph& glyph, uint32_t code) noexcept {
   const CharacterTraits found = traits(code);
   set_code(glyph, code);
   glyph.ligature = found.joining;
@@ -66,26 +33,37 @@ void Shaper::set_traits(RunGlyph& glyph, uint32_t code) noexcept {
   glyph.link = static_cast<int8_t>(found.mark);
 }
 
+// Whether the last glyph belongs to the letter before it: marks, joiners, what
+// joiners join of emoji, and the second letter of a flag.
+bool Shaper::continues(const TextGlyph& glyph, uint32_t code) const noexcept {
+  const TextGlyph& last = g_[n_ - 2];
+  if (glyph.ligature >= shap::kLowMark || code == 0x200d) {
+    return true;
+  }
+  return program_.has(shap::kEmoji) &&
+         ((last.flags & kZwj) != 0 ||
+          (glyph.ligature == shap::kJoinsRight &&
+           last.ligature == shap::kJoinsRight &&
+           (n_ < 3 || g_[n_ - 3].cluster != last.cluster)));
+}
+
 void Shaper::add_character(uint32_t code, uint32_t cluster) noexcept {
   if (n_ >= room_) {
     status_ = Status::buffer_small;
     return;
   }
-  RunGlyph& glyph = g_[n_++];
-  glyph = RunGlyph();
+  TextGlyph& glyph = g_[n_++];
+  glyph = TextGlyph();
   set_traits(glyph, code);
   glyph.cluster = static_cast<uint16_t>(cluster);
   glyph.kind = shap::kAnyForm << 2;
-  // Marks and joiners belong to the letter before them.
-  if ((glyph.ligature >= shap::kLowMark || code == 0x200d) && n_ > 1) {
+  if (n_ > 1 && continues(glyph, code)) {
     glyph.cluster = g_[n_ - 2].cluster;
   }
   if (code == 0x200c || code == 0x200d) {
     glyph.flags = kIgnorable | (code == 0x200c ? kZwnj : kZwj);
-  } else if (is_default_ignorable(code)) {
+  } else if (shown_as(code) == Shown::nothing) {
     glyph.flags = kIgnorable;
-  } else if (program_.has(shap::kThai) && is_above_base(code)) {
-    glyph.flags = kAboveBase;
   }
 }
 
@@ -98,12 +76,11 @@ void Shaper::split_sara_am(uint32_t code, uint32_t cluster) noexcept {
   if (status_ != Status::ok) {
     return;
   }
-  const RunGlyph glyph = g_[end];
   int32_t ring = end;
-  for (; ring > 0 && (g_[ring - 1].flags & kAboveBase) != 0; --ring) {
-    g_[ring] = g_[ring - 1];
+  while (ring > 0 && is_above_base(code_of(g_[ring - 1]))) {
+    --ring;
   }
-  g_[ring] = glyph;
+  move(end, ring);
 }
 
 void Shaper::read(const Text& text, const ScriptRun& run) noexcept {
@@ -138,15 +115,12 @@ void Shaper::order_marks() noexcept {
     }
     if (end - begin <= static_cast<int32_t>(shap::kMaxMarks)) {
       for (int32_t i = begin + 1; i < end; ++i) {
-        const RunGlyph glyph = g_[i];
         int32_t to = i;
-        for (; to > begin && g_[to - 1].row > glyph.row; --to) {
-          g_[to] = g_[to - 1];
+        while (to > begin && g_[to - 1].row > g_[i].row) {
+          --to;
         }
-        g_[to] = glyph;
-        if (to != i) {
-          merge(to, i + 1);
-        }
+        move(i, to);
+        merge(to, i + 1);
       }
       if (program_.has(shap::kHebrew)) {
         order_hebrew(begin, end);
@@ -163,40 +137,35 @@ void Shaper::order_hebrew(int32_t begin, int32_t end) noexcept {
         g_[i - 1].ligature == shap::kNarrowMark &&
         g_[i].ligature == shap::kLowMark) {
       merge(i - 1, i + 1);
-      const RunGlyph glyph = g_[i];
-      g_[i] = g_[i - 1];
-      g_[i - 1] = glyph;
+      move(i, i - 1);
       return;
     }
   }
 }
 
-// Takes composed letters apart where a mark behind them comes before their own.
+// Takes letters apart that do not compose with the mark behind them, and puts
+// their marks in order: compose() then finds those that do.
 void Shaper::part_letters() noexcept {
   for (int32_t i = 0; i + 1 < n_; ++i) {
-    for (uint32_t depth = 0; depth < 4; ++depth) {
-      const RunGlyph& next = g_[i + 1];
-      uint32_t letter = 0;
-      uint32_t number = 0;
-      const uint32_t code = code_of(g_[i]);
-      if (!is_letter_mark(next) || is_letter_mark(g_[i]) ||
-          composed(code, number_of_mark(next)) != 0 ||
-          !decompose(code, letter, number) || number == 0) {
+    uint32_t letter = 0;
+    uint32_t number = 0;
+    while (is_letter_mark(g_[i + 1]) && !is_letter_mark(g_[i]) &&
+           composed(code_of(g_[i]), number_of_mark(g_[i + 1])) == 0 &&
+           decompose(code_of(g_[i]), letter, number)) {
+      seek(kMarkTable, number - 1);
+      const uint32_t mark = take(16);
+      if (font_.glyph_or_notdef(mark) == 0 || !spend() || !insert(i + 1, 1)) {
         break;
       }
-      RunGlyph mark = g_[i];
-      set_traits(mark, get(t_.marks + 16 * (number - 1), 16));
-      if (mark.row <= next.row || !insert(i + 1, 1)) {
-        break;
-      }
+      g_[i + 1] = g_[i];
+      set_traits(g_[i + 1], mark);
       set_traits(g_[i], letter);
       int32_t to = i + 1;
-      for (; to + 1 < n_ && is_letter_mark(g_[to + 1]) &&
-             g_[to + 1].row < mark.row;
-           ++to) {
-        g_[to] = g_[to + 1];
+      while (to + 1 < n_ && is_letter_mark(g_[to + 1]) &&
+             g_[to + 1].row < g_[i + 1].row) {
+        ++to;
       }
-      g_[to] = mark;
+      move(i + 1, to);
     }
   }
 }
@@ -205,7 +174,7 @@ void Shaper::compose() noexcept {
   int32_t starter = 0;
   int32_t out = 1;
   for (int32_t i = 1; i < n_; ++i) {
-    const RunGlyph glyph = g_[i];
+    const TextGlyph glyph = g_[i];
     if (glyph.link != 0 &&
         (starter == out - 1 || g_[out - 1].row < glyph.row)) {
       const uint32_t code =
@@ -225,10 +194,31 @@ void Shaper::compose() noexcept {
   n_ = n_ < out ? n_ : out;
 }
 
+// The joining type of the letter that ends at the byte `at`, or that begins
+// there: of five characters the first that is no mark.
+uint32_t Shaper::type_beside(const Text& text,
+                             size_t at,
+                             bool is_before) noexcept {
+  Text rest(text.data + at, text.size - at);
+  for (uint32_t i = 0; i < 5; ++i) {
+    if (is_before && at != 0) {
+      at = cut(Text(text.data, at), at - 1).size;
+      rest = Text(text.data + at, text.size - at);
+    } else if (is_before || rest.size == 0) {
+      break;
+    }
+    const uint32_t type = traits(next_code_point(rest)).joining;
+    if (type < shap::kLowMark) {
+      return type;
+    }
+  }
+  return shap::kJoinsNone;
+}
+
 // Forms of letters by what stands beside them.
 void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
   const auto set_form = [this](int32_t i, uint32_t form) {
-    if (i >= 0) {
+    if (i >= 0 && i < n_) {
       g_[i].kind =
           static_cast<uint8_t>(class_of(g_[i]) | (shap::kAnyForm | form) << 2);
     }
@@ -236,9 +226,17 @@ void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
   bool is_open = false;  // whether the letter before joins
   bool is_final = false;
   int32_t last = kNo;
-  const auto step = [&](uint32_t type, int32_t i) {
+  for (int32_t i = -1; i <= n_; ++i) {
+    uint32_t type = 0;
+    if (i < 0) {
+      type = type_beside(text, run.begin, true);
+    } else if (i == n_) {
+      type = type_beside(text, run.end, false);
+    } else {
+      type = g_[i].ligature;
+    }
     if (type >= shap::kLowMark) {
-      return;
+      continue;
     }
     const bool takes = type == shap::kJoinsRight || type == shap::kJoinsDual;
     if (is_open && takes) {
@@ -250,39 +248,17 @@ void Shaper::join(const Text& text, const ScriptRun& run) noexcept {
     }
     is_open = type == shap::kJoinsDual || type == shap::kJoinsLeft;
     last = i;
-  };
-  constexpr uint32_t kContextCharacters = 5;
-  size_t begin = run.begin;
-  for (uint32_t i = 0; i < kContextCharacters && begin != 0; ++i) {
-    begin = before(text, begin);
-    Text one(text.data + begin, run.begin - begin);
-    const uint32_t type = traits(next_code_point(one)).joining;
-    if (type < shap::kLowMark) {
-      step(type, kNo);
-      break;
-    }
-  }
-  for (int32_t i = 0; i < n_; ++i) {
-    step(g_[i].ligature, i);
-  }
-  Text rest(text.data + run.end, text.size - run.end);
-  for (uint32_t i = 0; i < kContextCharacters && rest.size != 0; ++i) {
-    const uint32_t type = traits(next_code_point(rest)).joining;
-    if (type < shap::kLowMark) {
-      step(type, kNo);
-      break;
-    }
   }
 }
 
 void Shaper::find_glyphs() noexcept {
   for (int32_t i = 0; i < n_; ++i) {
-    RunGlyph& glyph = g_[i];
+    TextGlyph& glyph = g_[i];
     const uint32_t id = font_.glyph_or_notdef(code_of(glyph));
     glyph.link = 0;
     glyph.ligature = 0;
     glyph.component = 0;
-    const uint8_t flags = glyph.flags & (kIgnorable | kZwj | kZwnj);
+    const uint8_t flags = glyph.flags;
     set_glyph(glyph, id);
     glyph.flags = flags;
   }

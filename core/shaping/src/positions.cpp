@@ -12,133 +12,113 @@ void add_to(int16_t& value, int32_t by) noexcept {
   value = static_cast<int16_t>(value + by);
 }
 
+// Whether a glyph is what follows the one before it of what was one glyph: the
+// first of those takes marks, or one behind a mark.
+bool is_part(const TextGlyph& before, const TextGlyph& glyph) noexcept {
+  return (glyph.flags & kMultiplied) != 0 && component_of(glyph) != 0 &&
+         !is_mark(before) && (before.flags & kMultiplied) != 0 &&
+         before.ligature == glyph.ligature &&
+         component_of(before) == component_of(glyph) - 1;
+}
+
+// Whether two marks belong to the same letter.
+bool are_of_same(const TextGlyph& mark, const TextGlyph& other) noexcept {
+  const uint32_t component = component_of(mark);
+  const uint32_t other_component = component_of(other);
+  return mark.ligature == other.ligature
+             ? mark.ligature == 0 || component == other_component
+             : (mark.ligature != 0 && component == 0) ||
+                   (other.ligature != 0 && other_component == 0);
+}
+
 }  // namespace
 
-int32_t Shaper::adjust(const ShapeLookup& lookup, int32_t i) noexcept {
-  constexpr uint32_t kColumns = 3;
-  const uint32_t width = glyph_bits();
-  int32_t least[kColumns];
-  uint32_t bits[kColumns];
-  uint32_t row_bits = width;
-  uint32_t bit = lookup.at;
-  for (uint32_t k = 0; k < kColumns; ++k) {
-    least[k] = take_signed(bit);
-    bits[k] = take(bit, 5);
-    row_bits += bits[k];
-  }
-  uint32_t row = 0;
-  if (!find_row(bit, row_bits, lookup.count, g_[i].glyph, row)) {
-    return kNo;
-  }
-  row += width;
-  int16_t* const values[kColumns] = {&g_[i].x, &g_[i].y, &g_[i].advance};
-  for (uint32_t k = 0; k < kColumns; ++k) {
-    add_to(*values[k], least[k] + static_cast<int32_t>(take(row, bits[k])));
-  }
+// Of a row: a column's number, from its base on.
+int32_t Shaper::take_value(uint32_t column) noexcept {
+  return lookup_.bases[column] +
+         static_cast<int32_t>(take(lookup_.widths[column]));
+}
+
+int32_t Shaper::adjust(int32_t i) noexcept {
+  add_to(g_[i].x, take_value(0));
+  add_to(g_[i].y, take_value(1));
+  add_to(g_[i].advance, take_value(2));
   return i + 1;
 }
 
-int32_t Shaper::kern(const ShapeLookup& lookup, int32_t i) noexcept {
-  const uint32_t width = glyph_bits();
-  uint32_t bit = lookup.at;
-  const int32_t least = take_signed(bit);
-  const uint32_t value_bits = take(bit, 5);
-  const bool moves_both = take(bit, 1) != 0;
-  const uint32_t left_bits = take(bit, 5);
-  const uint32_t right_bits = take(bit, 5);
-  const uint32_t start_bits = take(bit, 5);
-  const uint32_t left_count = take(bit, 16);
-  const uint32_t row_bits = width + left_bits + right_bits;
-  uint32_t row = 0;
-  if (!find_row(bit, row_bits, lookup.count, g_[i].glyph, row)) {
+int32_t Shaper::kern(int32_t i) noexcept {
+  const uint8_t* widths = lookup_.widths;  // left, right, start, value, both
+  const uint32_t left = take(widths[0]);
+  const int32_t j = left != 0 ? find_next(i, 1, kAnyGlyph, false) : kNo;
+  if (j < 0 || !find_row(g_[j].glyph)) {
     return kNo;
   }
-  const uint32_t left = get(row + width, left_bits);
-  const int32_t j =
-      left != 0 ? find_next(lookup, i, 1, Want::any, 0, false) : kNo;
-  if (j < 0 || !find_row(bit, row_bits, lookup.count, g_[j].glyph, row)) {
-    return kNo;
-  }
-  const uint32_t right = get(row + width + left_bits, right_bits);
-  const uint32_t starts = bit + row_bits * lookup.count;
-  const uint32_t begin = get(starts + (left - 1) * start_bits, start_bits);
-  const uint32_t end = get(starts + left * start_bits, start_bits);
-  const BitTable pairs = {&t_.bytes, starts + (left_count + 1) * start_bits,
-                          right_bits + value_bits};
-  const uint32_t pair = right != 0 ? pairs.find(begin, end, right_bits, right)
-                                   : BitTable::kAbsent;
-  if (pair == BitTable::kAbsent) {
+  at_ += widths[0];
+  const uint32_t right = take(widths[1]);
+  at_ = lookup_.rest + (left - 1) * widths[2];
+  const uint32_t begin = take(widths[2]);
+  const uint32_t end = take(widths[2]);
+  const uint32_t pair_bits = widths[1] + widths[3];
+  at_ =
+      lookup_.rest + (lookup_.numbers[0] + 1u) * widths[2] + begin * pair_bits;
+  if (!find(pair_bits, end - begin, widths[1], right)) {
     return kNo;
   }
   const int32_t value =
-      least + static_cast<int32_t>(pairs.get(pair, right_bits, value_bits));
+      lookup_.bases[0] + static_cast<int32_t>(take(widths[3]));
   add_to(g_[i].advance, value);
-  if (moves_both) {
+  if (widths[4] != 0) {
     add_to(g_[i].x, value);
   }
   return j;
 }
 
-void Shaper::set_link(RunGlyph& glyph, int32_t link, bool is_cursive) noexcept {
+void Shaper::set_link(TextGlyph& glyph,
+                      int32_t link,
+                      bool is_cursive) noexcept {
   const bool fits = link >= -127 && link <= 127;
   glyph.link = static_cast<int8_t>(fits ? link : 0);
   glyph.flags = static_cast<uint8_t>((glyph.flags & ~kCursiveLink) |
                                      (is_cursive ? kCursiveLink : 0));
 }
 
-int32_t Shaper::link_cursive(const ShapeLookup& lookup, int32_t i) noexcept {
-  const uint32_t width = glyph_bits();
-  uint32_t bit = lookup.at;
-  const int32_t least_x = take_signed(bit);
-  const int32_t least_y = take_signed(bit);
-  const uint32_t x_bits = take(bit, 5);
-  const uint32_t y_bits = take(bit, 5);
-  const bool from_end = take(bit, 1) != 0;
-  const uint32_t row_bits = width + 2 + 2 * (x_bits + y_bits);
-  uint32_t entry = 0;
-  uint32_t exit = 0;
-  if (!find_row(bit, row_bits, lookup.count, g_[i].glyph, entry) ||
-      get(entry + width, 1) == 0) {
-    return kNo;
-  }
-  const int32_t j = find_next(lookup, i, -1, Want::any, 0, false);
-  if (j < 0 || !find_row(bit, row_bits, lookup.count, g_[j].glyph, exit) ||
-      get(exit + width + 1, 1) == 0) {
-    return kNo;
-  }
-  entry += width + 2;
-  exit += width + 2 + x_bits + y_bits;
-  const auto take_place = [this](uint32_t& place, int32_t least,
-                                 uint32_t bits) {
-    return least + static_cast<int32_t>(take(place, bits));
-  };
-  const int32_t entry_x = take_place(entry, least_x, x_bits);
-  const int32_t entry_y = take_place(entry, least_y, y_bits);
-  const int32_t exit_x = take_place(exit, least_x, x_bits);
-  const int32_t exit_y = take_place(exit, least_y, y_bits);
-  RunGlyph& before = g_[j];
-  RunGlyph& glyph = g_[i];
+// Where two glyphs meet, in each.
+struct Shaper::Anchor {
+  int32_t x;
+  int32_t y;
+  int32_t base_x;
+  int32_t base_y;
+};
+
+// The end of a glyph is joined to that of the glyph before it.
+void Shaper::link_cursive(int32_t i, int32_t j, const Anchor& anchor) noexcept {
+  TextGlyph& before = g_[j];
+  TextGlyph& glyph = g_[i];
+  const int32_t entry = lookup_.bases[0] + anchor.x + glyph.x;
+  const int32_t exit = lookup_.bases[0] + anchor.base_x + before.x;
   if (program_.has(shap::kRightToLeft)) {
-    const int32_t change = exit_x + before.x;
-    add_to(before.advance, -change);
-    add_to(before.x, -change);
-    glyph.advance = static_cast<int16_t>(entry_x + glyph.x);
+    add_to(before.advance, -exit);
+    add_to(before.x, -exit);
+    glyph.advance = static_cast<int16_t>(entry);
   } else {
-    before.advance = static_cast<int16_t>(exit_x + before.x);
-    const int32_t change = entry_x + glyph.x;
-    add_to(glyph.advance, -change);
-    add_to(glyph.x, -change);
+    before.advance = static_cast<int16_t>(exit);
+    add_to(glyph.advance, -entry);
+    add_to(glyph.x, -entry);
   }
-  const int32_t child = from_end ? j : i;
-  const int32_t parent = from_end ? i : j;
+  int32_t child = i;
+  int32_t parent = j;
+  int32_t y = anchor.base_y - anchor.y;
+  if (lookup_.widths[6] != 0) {
+    child = j;
+    parent = i;
+    y = -y;
+  }
   turn_cursive(child, parent);
-  g_[child].y =
-      static_cast<int16_t>(from_end ? entry_y - exit_y : exit_y - entry_y);
+  g_[child].y = static_cast<int16_t>(y);
   set_link(g_[child], parent - child, true);
   if (g_[parent].link == child - parent) {
     g_[parent].link = 0;
   }
-  return i + 1;
 }
 
 // A glyph that hangs on another already: the chain from there on is turned, so
@@ -166,123 +146,89 @@ void Shaper::turn_cursive(int32_t i, int32_t parent) noexcept {
   }
 }
 
-// The glyph that a mark is attached to; kNo: there is none.
-int32_t Shaper::find_base(const ShapeLookup& lookup, int32_t i) noexcept {
-  if (lookup.type == shap::kMarkToMark) {
-    // Filtered, but nothing is left out by its class.
-    ShapeLookup marks = lookup;
-    marks.skip = 0;
-    const int32_t j = find_next(marks, i, -1, Want::any, 0, false);
-    if (j < 0 || !is_mark(g_[j])) {
+// A mark to the letter or mark before it; of a cursive script, a glyph.
+int32_t Shaper::attach(int32_t i) noexcept {
+  const uint32_t mark_row = at_;
+  const TextGlyph& mark = g_[i];
+  int32_t j = i;
+  do {
+    j = find_next(j, -1, kAnyGlyph, false);
+    if (j < 0) {
       return kNo;
     }
-    const RunGlyph& mark = g_[i];
-    const RunGlyph& other = g_[j];
-    const uint32_t component = component_of(mark);
-    const uint32_t other_component = component_of(other);
-    const bool is_same =
-        mark.ligature == other.ligature
-            ? mark.ligature == 0 || component == other_component
-            : (mark.ligature != 0 && component == 0) ||
-                  (other.ligature != 0 && other_component == 0);
-    return is_same ? j : kNo;
-  }
-  for (int32_t j = i; j-- > 0 && spend();) {
-    const RunGlyph& glyph = g_[j];
-    if (is_mark(glyph) || (glyph.flags & kIgnorable) != 0) {
-      continue;
-    }
-    // Of what was one glyph the first takes the mark, or one behind a mark.
-    const bool goes_on =
-        lookup.type == shap::kMarkToBase && (glyph.flags & kMultiplied) != 0 &&
-        glyph.component != 0 && j != 0 && !is_mark(g_[j - 1]) &&
-        (g_[j - 1].flags & kMultiplied) != 0 &&
-        g_[j - 1].component == glyph.component - 1;
-    if (!goes_on) {
-      return j;
-    }
-  }
-  return kNo;
-}
-
-int32_t Shaper::attach(const ShapeLookup& lookup, int32_t i) noexcept {
-  const int32_t base = find_base(lookup, i);
-  if (base < 0) {
-    return kNo;
-  }
+  } while (lookup_.type == shap::kMarkToBase && j > 0 &&
+           is_part(g_[j - 1], g_[j]));
+  const TextGlyph& base = g_[j];
   uint32_t component = 0;
-  if (lookup.type == shap::kMarkToLigature) {
-    const RunGlyph& mark = g_[i];
-    const bool is_of_it = g_[base].ligature != 0 &&
-                          g_[base].ligature == mark.ligature &&
+  if (lookup_.type == shap::kMarkToLigature) {
+    const bool is_of_it = base.ligature != 0 &&
+                          base.ligature == mark.ligature &&
                           component_of(mark) != 0;
     component = is_of_it ? component_of(mark) - 1 : 255;
   }
-  return anchor(lookup, i, base, component) ? i + 1 : kNo;
+  Anchor anchor;
+  if ((lookup_.type == shap::kMarkToMark &&
+       !(is_mark(base) && are_of_same(mark, base))) ||
+      !find_anchor(mark, mark_row, base.glyph, component, anchor)) {
+    return kNo;
+  }
+  if (lookup_.type == shap::kCursive) {
+    link_cursive(i, j, anchor);
+  } else {
+    g_[i].x = static_cast<int16_t>(anchor.base_x - anchor.x);
+    g_[i].y = static_cast<int16_t>(anchor.base_y - anchor.y);
+    set_link(g_[i], j - i, false);
+  }
+  return i + 1;
 }
 
-bool Shaper::anchor(const ShapeLookup& lookup,
-                    int32_t i,
-                    int32_t base,
-                    uint32_t component) noexcept {
+bool Shaper::find_anchor(const TextGlyph& mark,
+                         uint32_t mark_row,
+                         uint32_t base,
+                         uint32_t component,
+                         Anchor& out) noexcept {
   const uint32_t width = glyph_bits();
-  uint32_t bit = lookup.at + 32;  // behind what x and y begin with
-  const uint32_t x_bits = take(bit, 5);
-  const uint32_t y_bits = take(bit, 5);
-  const uint32_t class_bits = take(bit, 5);
-  const uint32_t pool_bits = take(bit, 5);
-  const uint32_t count_bits = take(bit, 5);
-  const uint32_t bases = take(bit, 16);
-  const uint32_t anchor_bits = class_bits + x_bits + y_bits;
-  const uint32_t mark_row = width + anchor_bits;
-  const uint32_t base_row = width + pool_bits + count_bits;
-  const uint32_t base_table = bit + mark_row * lookup.count;
-  const uint32_t pool = base_table + base_row * bases;
-  const BitTable table = {&t_.bytes, base_table, base_row};
-  uint32_t mark = 0;
-  uint32_t row = table.find(0, bases, width, g_[base].glyph);
-  if (row == BitTable::kAbsent ||
-      !find_row(bit, mark_row, lookup.count, g_[i].glyph, mark)) {
+  // Of levels, x, kinds, y, places in the pool, and counts.
+  const uint8_t* widths = lookup_.widths;
+  const uint32_t level_bits = widths[2] + widths[3];
+  const uint32_t base_row = width + widths[4] + widths[5];
+  const uint32_t bases = lookup_.numbers[1];
+  const uint32_t levels = lookup_.rest + base_row * bases;
+  const uint32_t anchor_bits = widths[0] + widths[1];
+  const auto take_level = [&] {
+    return get(levels + take(widths[0]) * level_bits, level_bits);
+  };
+  at_ = lookup_.rest;
+  if (!find(base_row, bases, width, base)) {
     return false;
   }
-  // The rows of a ligature follow each other, one for each letter.
-  while (row != 0 && table.get(row - 1, 0, width) == g_[base].glyph &&
-         spend()) {
-    --row;
-  }
-  for (; component != 0 && row + 1 < bases &&
-         table.get(row + 1, 0, width) == g_[base].glyph && spend();
+  // The rows of a ligature follow each other, one for each letter, as do those
+  // of a mark, one for each kind.
+  for (; component != 0 && at_ + base_row < levels + width &&
+         get(at_ + base_row - width, width) == base && spend();
        --component) {
-    ++row;
+    at_ += base_row;
   }
-  const uint32_t first = table.get(row, width, pool_bits);
-  const uint32_t count = table.get(row, width + pool_bits, count_bits);
-  // So do those of a mark, one for each class.
-  while (mark != bit && get(mark - mark_row, width) == g_[i].glyph && spend()) {
-    mark -= mark_row;
-  }
-  for (; mark < base_table && get(mark, width) == g_[i].glyph;
-       mark += mark_row) {
-    uint32_t from = mark + width;
-    const uint32_t kind = take(from, class_bits);
+  uint32_t first = take(widths[4]);
+  const uint32_t count = take(widths[5]);
+  first = levels + level_bits * lookup_.numbers[0] + first * anchor_bits;
+  do {
+    at_ = mark_row;
+    const uint32_t level = take_level();
+    out.x = static_cast<int32_t>(take(widths[1]));
+    out.y = static_cast<int32_t>(level >> widths[2]);
     for (uint32_t k = 0; k < count && spend(); ++k) {
-      uint32_t to = pool + (first + k) * anchor_bits;
-      if (take(to, class_bits) != kind) {
-        continue;
+      at_ = first + k * anchor_bits;
+      const uint32_t other = take_level();
+      if (((level ^ other) & ~(~uint32_t{0} << widths[2])) == 0) {
+        out.base_x = static_cast<int32_t>(take(widths[1]));
+        out.base_y = static_cast<int32_t>(other >> widths[2]);
+        return true;
       }
-      RunGlyph& glyph = g_[i];
-      const auto between = [&](uint32_t bits) {
-        return static_cast<int16_t>(take(to, bits) - take(from, bits));
-      };
-      glyph.x = between(x_bits);
-      glyph.y = between(y_bits);
-      set_link(glyph, base - i, false);
-      return true;
     }
-    if (status_ != Status::ok) {
-      return false;
-    }
-  }
+    mark_row += lookup_.row_bits;
+  } while (mark_row < lookup_.rest + width &&
+           get(mark_row - width, width) == mark.glyph && spend());
   return false;
 }
 

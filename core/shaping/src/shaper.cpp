@@ -7,15 +7,19 @@ namespace shap = format::shaping;
 Status Shaper::shape(const Text& text,
                      const ScriptRun& run,
                      uint32_t program) noexcept {
-  if (program < u8(shap::kPrograms)) {
+  if (program < header(shap::kPrograms)) {
     program_ = ShapeReader::program(program);
   }
+  const bool has_syllables = program_.has(shap::kSyllables);
+  if (has_syllables && syllables_ == nullptr) {
+    return Status::unsupported;
+  }
   read(text, run);
-  const uint32_t most = u16(shap::kSteps);
+  const uint32_t most = header(shap::kSteps);
   steps_ = (most < shap::kMaxSteps ? most : shap::kMaxSteps) *
            (static_cast<uint32_t>(n_) + 1);
-  if (status_ != Status::ok) {
-    return status_;
+  if (has_syllables) {
+    syllables_->run(*this, SyllableStep::split);
   }
   order_marks();
   part_letters();
@@ -23,160 +27,202 @@ Status Shaper::shape(const Text& text,
   if (program_.has(shap::kJoins)) {
     join(text, run);
   }
+  if (has_syllables) {
+    syllables_->run(*this, SyllableStep::part);
+  }
   find_glyphs();
   run_entries(program_.first, program_.substitutions);
   advance_all();
   run_entries(program_.first + program_.substitutions, program_.positions);
+  // Where the script positions nothing, pairs are those of plain text.
+  for (int32_t i = 0;
+       program_.positions == 0 && !run.is_right_to_left && i + 1 < n_; ++i) {
+    g_[i].advance = static_cast<int16_t>(
+        g_[i].advance + font_.kerning(g_[i].glyph, g_[i + 1].glyph));
+  }
   finish(run.is_right_to_left);
   return status_;
 }
 
-bool Shaper::spend(uint32_t steps) noexcept {
-  if (steps > steps_) {
-    steps_ = 0;
-    if (status_ == Status::ok) {
-      status_ = Status::unsupported;
-    }
+bool Shaper::spend() noexcept {
+  if (status_ != Status::ok) {
+    return false;
   }
-  steps_ -= status_ == Status::ok ? steps : 0;
-  return status_ == Status::ok;
+  if (steps_ == 0) {
+    status_ = Status::unsupported;
+    return false;
+  }
+  --steps_;
+  return true;
 }
 
-void Shaper::load(uint32_t number, ShapeLookup& out) const noexcept {
-  const uint32_t set_bits = bits_of(shap::kSetBits);
-  const uint32_t offset_bits = bits_of(shap::kOffsetBits);
-  out = ShapeLookup();
-  if (number >= u16(shap::kLookups)) {
-    return;
+namespace {
+
+// What the data of a type begin with: bases and numbers of 16 bits, widths of
+// 5. Then what is in its rows: glyphs, and the columns of the first widths.
+constexpr uint16_t kind_of(uint32_t bases,
+                           uint32_t widths,
+                           uint32_t numbers,
+                           uint32_t glyphs,
+                           uint32_t columns) noexcept {
+  return static_cast<uint16_t>(bases | widths << 2 | numbers << 5 |
+                               glyphs << 7 | columns << 9);
+}
+
+// From type 0 on; contexts have none.
+constexpr uint16_t kLookupKinds[] = {0,
+                                     kind_of(0, 0, 0, 2, 0),
+                                     kind_of(0, 1, 0, 1, 1),
+                                     0,
+                                     kind_of(0, 1, 0, 2, 1),
+                                     0,
+                                     0,
+                                     0,
+                                     0,
+                                     kind_of(3, 3, 0, 1, 3),
+                                     kind_of(1, 5, 1, 1, 2),
+                                     kind_of(1, 7, 2, 1, 2),
+                                     kind_of(0, 6, 2, 1, 2),
+                                     kind_of(0, 6, 2, 1, 2),
+                                     kind_of(0, 6, 2, 1, 2),
+                                     0};
+
+}  // namespace
+
+void Shaper::load(uint32_t number) noexcept {
+  lookup_.number = static_cast<uint16_t>(number);
+  seek(kLookupTable, number);
+  lookup_.type = static_cast<uint8_t>(take(shap::kTypeBits));
+  lookup_.skip = static_cast<uint8_t>(take(shap::kSkipBits));
+  lookup_.filter = static_cast<uint16_t>(take(header(shap::kSetBits)));
+  lookup_.count = static_cast<uint16_t>(take(16));
+  at_ = t_.begins[kDataTable] + take(header(shap::kOffsetBits));
+  const uint32_t kind = kLookupKinds[lookup_.type];
+  for (uint32_t i = 0; i < (kind & 3); ++i) {
+    lookup_.bases[i] = static_cast<int16_t>(take(16));
   }
-  uint32_t bit = t_.lookups + number * (shap::kTypeBits + shap::kSkipBits +
-                                        set_bits + 16 + offset_bits);
-  out.type = take(bit, shap::kTypeBits);
-  out.skip = take(bit, shap::kSkipBits);
-  out.filter = take(bit, set_bits);
-  out.count = take(bit, 16);
-  out.at = t_.data + take(bit, offset_bits);
+  uint32_t row_bits = (kind >> 7 & 3) * glyph_bits();
+  for (uint32_t i = 0; i < (kind >> 2 & 7); ++i) {
+    const uint32_t width = take(5);
+    lookup_.widths[i] = static_cast<uint8_t>(width);
+    row_bits += i < kind >> 9 ? width : 0;
+  }
+  for (uint32_t i = 0; i < (kind >> 5 & 3); ++i) {
+    lookup_.numbers[i] = static_cast<uint16_t>(take(16));
+  }
+  lookup_.row_bits = static_cast<uint8_t>(row_bits);
+  lookup_.rows = at_;
+  lookup_.rest = at_ + row_bits * lookup_.count;
 }
 
 // Lookups of the program, each over the whole run.
 void Shaper::run_entries(uint32_t first, uint32_t count) noexcept {
-  const uint32_t lookup_bits = bits_of(shap::kLookupBits);
-  const uint32_t top = u16(shap::kTopLookups);
-  for (uint32_t k = first; k < first + count && k < u16(shap::kEntries); ++k) {
-    uint32_t bit = t_.entries + k * (lookup_bits + shap::kMaskBits + 1);
-    const uint32_t number = take(bit, lookup_bits);
-    mask_ = take(bit, shap::kMaskBits);
-    manual_zwj_ = take(bit, 1) != 0;
-    if (number >= top) {
-      continue;
+  const uint32_t row_bits = t_.row_bits[kRowTable];
+  const uint32_t rows = t_.begins[kRowTable] + shap::kClassBits;
+  for (const uint32_t end = first + count; first < end; ++first) {
+    seek(kEntryTable, first);
+    const uint32_t own = take(header(shap::kLookupBits));
+    mask_ = take(shap::kMaskBits);
+    manual_zwj_ = take(1) != 0;
+    if (mask_ == 0 && program_.has(shap::kSyllables)) {
+      syllables_->run(*this, own == shap::kOrderFirst
+                                 ? SyllableStep::order_first
+                                 : SyllableStep::order_last);
     }
-    ShapeLookup lookup;
-    load(number, lookup);
-    if (lookup.type == shap::kReverse) {
-      run_backwards(lookup, mask_);
-      continue;
-    }
+    bool is_loaded = false;
     for (int32_t i = 0; i < n_ && status_ == Status::ok;) {
       int32_t next = kNo;
-      if ((g_[i].kind >> 2 & mask_) != 0 &&
-          get(row_bit(g_[i].row) + shap::kClassBits + number, 1) != 0) {
-        next = apply(number, i, 0);
+      // Most lookups concern no glyph of a run: they are not read.
+      if (has_form(g_[i]) && has_bit(rows + row_bits * g_[i].row + own)) {
+        if (!is_loaded) {
+          load(own);
+          is_loaded = true;
+        }
+        if (lookup_.type == shap::kReverse) {
+          for (int32_t k = n_; k-- > i;) {
+            if (has_form(g_[k])) {
+              static_cast<void>(apply(k, 0));
+            }
+          }
+          break;
+        }
+        next = apply(i, 0);
       }
       // Where nothing replaces a glyph, the next takes its place.
-      const bool stays = lookup.type == shap::kMultiple && next == i;
+      const bool stays =
+          is_loaded && lookup_.type == shap::kMultiple && next == i;
       i = next > i || stays ? next : i + 1;
-      if (stays && !spend()) {
-        return;
-      }
-    }
-  }
-}
-
-void Shaper::run_backwards(const ShapeLookup& lookup, uint32_t mask) noexcept {
-  for (int32_t i = n_; i-- > 0 && spend();) {
-    if ((g_[i].kind >> 2 & mask) != 0 && !skips(lookup, g_[i])) {
-      static_cast<void>(replace_backwards(lookup, i));
     }
   }
 }
 
 // What follows the glyphs that the lookup took; kNo: it does not apply.
-int32_t Shaper::apply(uint32_t number, int32_t i, uint32_t depth) noexcept {
-  ShapeLookup lookup;
-  load(number, lookup);
-  if (!spend() || skips(lookup, g_[i])) {
+int32_t Shaper::apply(int32_t i, uint32_t depth) noexcept {
+  if (!spend()) {
     return kNo;
   }
-  switch (lookup.type) {
+  if (lookup_.row_bits == 0) {
+    return apply_context(i, depth);
+  }
+  if (!find_row(g_[i].glyph)) {
+    return kNo;
+  }
+  switch (lookup_.type) {
     case shap::kSingle:
-      return replace_one(lookup, i);
+      return replace_one(i);
     case shap::kMultiple:
-      return replace_by_many(lookup, i);
+      return replace_by_many(i);
     case shap::kLigatures:
-      return ligate(lookup, i);
-    case shap::kReverse:
-      return replace_backwards(lookup, i) ? i + 1 : kNo;
+      return ligate(i);
     case shap::kAdjust:
-      return adjust(lookup, i);
+      return adjust(i);
     case shap::kPairs:
-      return kern(lookup, i);
-    case shap::kCursive:
-      return link_cursive(lookup, i);
-    case shap::kMarkToBase:
-    case shap::kMarkToLigature:
-    case shap::kMarkToMark:
-      return attach(lookup, i);
-    case shap::kContext:
-    case shap::kPositionContext:
-      if (depth < shap::kMaxDepth) {
-        return apply_context(lookup, i, depth);
-      }
-      status_ = Status::unsupported;
-      return kNo;
+      return kern(i);
     default:
-      return kNo;
+      return attach(i);
   }
-}
-
-bool Shaper::skips(const ShapeLookup& lookup,
-                   const RunGlyph& glyph) const noexcept {
-  const uint32_t kind = class_of(glyph);
-  if (kind != 0 && (lookup.skip >> (kind - 1) & 1) != 0) {
-    return true;
-  }
-  return kind == 3 && lookup.filter != 0 &&
-         !in_set(lookup.filter - 1, glyph.glyph);
 }
 
 // Whether a glyph that shows nothing may be looked over.
-bool Shaper::may_skip(const ShapeLookup& lookup,
-                      const RunGlyph& glyph,
-                      bool is_context) const noexcept {
+bool Shaper::may_skip(const TextGlyph& glyph, bool is_context) const noexcept {
   if ((glyph.flags & kIgnorable) == 0) {
     return false;
   }
-  return lookup.type >= shap::kAdjust ||
-         ((is_context || (glyph.flags & kZwnj) == 0) &&
-          (is_context || !manual_zwj_ || (glyph.flags & kZwj) == 0));
+  if ((glyph.flags & kZwnj) != 0) {
+    return lookup_.type >= shap::kAdjust ||
+           (is_context && !(manual_zwj_ && program_.has(shap::kSyllables)));
+  }
+  return is_context || !manual_zwj_ || (glyph.flags & kZwj) == 0;
 }
 
-// The next glyph of a set, or any, that the lookup sees; kNo: another comes
-// first. Those of its input have its form.
-int32_t Shaper::find_next(const ShapeLookup& lookup,
-                          int32_t from,
+// The next glyph that is accepted of those that the lookup sees; kNo: another
+// comes first. Those of its input have its form.
+int32_t Shaper::find_next(int32_t from,
                           int32_t step,
-                          Want want,
                           uint32_t set,
                           bool is_context) noexcept {
   for (int32_t i = from + step; i >= 0 && i < n_ && spend(); i += step) {
-    const RunGlyph& glyph = g_[i];
-    if (skips(lookup, glyph)) {
+    const TextGlyph& glyph = g_[i];
+    const uint32_t kind = class_of(glyph);
+    if ((lookup_.skip << 1 >> kind & 1) != 0 ||
+        (kind == 3 && lookup_.filter != 0 &&
+         !in_set(lookup_.filter - 1u, glyph.glyph))) {
       continue;
     }
-    const bool may = may_skip(lookup, glyph, is_context);
-    const bool has_form = is_context || (glyph.kind >> 2 & mask_) != 0;
-    if (has_form && (want == Want::any ? !may : in_set(set, glyph.glyph))) {
-      return i;
+    const bool may = may_skip(glyph, is_context);
+    // Of its syllable, until positions take the room of its number.
+    if ((is_context || has_form(glyph)) &&
+        (lookup_.type >= shap::kAdjust || glyph.y == g_[from].y)) {
+      bool is_found = !may;
+      if (set == kBranch) {
+        at_ = branch_;
+        is_found = find(lookup_.row_bits, branches_, glyph_bits(), glyph.glyph);
+      } else if (set != kAnyGlyph) {
+        is_found = in_set(set, glyph.glyph);
+      }
+      if (is_found) {
+        return i;
+      }
     }
     if (!may) {
       return kNo;
@@ -185,24 +231,18 @@ int32_t Shaper::find_next(const ShapeLookup& lookup,
   return kNo;
 }
 
-// Finds a row that begins with a glyph in a sorted table.
-bool Shaper::find_row(uint32_t begin,
-                      uint32_t row_bits,
-                      uint32_t count,
-                      uint32_t glyph,
-                      uint32_t& at) const noexcept {
-  const BitTable table = {&t_.bytes, begin, row_bits};
-  const uint32_t row = table.find(0, count, glyph_bits(), glyph);
-  at = begin + row * row_bits;
-  return row != BitTable::kAbsent;
-}
-
-void Shaper::set_glyph(RunGlyph& glyph, uint32_t id) noexcept {
+void Shaper::set_glyph(TextGlyph& glyph, uint32_t id) noexcept {
   glyph.glyph = static_cast<uint16_t>(id);
   glyph.flags &= static_cast<uint8_t>(~kIgnorable);
-  glyph.row = static_cast<uint8_t>(row_of(id));
-  glyph.kind = static_cast<uint8_t>((glyph.kind & ~3u) |
-                                    get(row_bit(glyph.row), shap::kClassBits));
+  uint32_t row = 0;
+  if (id < header(shap::kGlyphs)) {
+    seek(kGlyphTable, id);
+    row = take(header(shap::kRowBits));
+  }
+  glyph.row = static_cast<uint8_t>(row);
+  seek(kRowTable, row);
+  glyph.kind =
+      static_cast<uint8_t>((glyph.kind & ~3u) | take(shap::kClassBits));
 }
 
 bool Shaper::insert(int32_t place, int32_t count) noexcept {
@@ -217,11 +257,14 @@ bool Shaper::insert(int32_t place, int32_t count) noexcept {
   return true;
 }
 
-void Shaper::erase(int32_t place) noexcept {
-  --n_;
-  for (int32_t i = place; i < n_; ++i) {
-    g_[i] = g_[i + 1];
+// The glyphs in between go one place the other way.
+void Shaper::move(int32_t from, int32_t to) noexcept {
+  const int32_t step = from < to ? 1 : -1;
+  const TextGlyph glyph = g_[from];
+  for (; from != to; from += step) {
+    g_[from] = g_[from + step];
   }
+  g_[to] = glyph;
 }
 
 // Makes one cluster of glyphs, and of those that belong to their clusters.
@@ -250,28 +293,20 @@ void Shaper::merge(int32_t begin, int32_t end) noexcept {
 // which they are drawn.
 void Shaper::finish(bool is_right_to_left) noexcept {
   for (int32_t i = 0; i < n_; ++i) {
-    RunGlyph& glyph = g_[i];
-    if (is_mark(glyph)) {
+    TextGlyph& glyph = g_[i];
+    if ((glyph.flags & kIgnorable) != 0 ||
+        (is_mark(glyph) && !program_.has(shap::kSyllables))) {
       glyph.advance = 0;
-    }
-    if ((glyph.flags & kIgnorable) != 0) {
-      glyph.advance = 0;
-      glyph.x = 0;
-      glyph.y = 0;
     }
   }
-  // First what hangs on glyphs behind it, from the last one on, then marks.
+  // From the last one on, so that chains of what hangs on glyphs behind it are
+  // short; those of marks are.
   for (int32_t i = n_; i-- > 0;) {
-    if (g_[i].link > 0) {
-      settle(i, is_right_to_left);
-    }
-  }
-  for (int32_t i = 0; i < n_; ++i) {
     settle(i, is_right_to_left);
   }
   hide_ignorables();
   for (int32_t i = 0; is_right_to_left && i < n_ / 2; ++i) {
-    const RunGlyph glyph = g_[i];
+    const TextGlyph glyph = g_[i];
     g_[i] = g_[n_ - 1 - i];
     g_[n_ - 1 - i] = glyph;
   }
@@ -283,7 +318,7 @@ void Shaper::settle(int32_t i, bool is_right_to_left) noexcept {
   int32_t y = g_[i].y;
   bool moves_x = true;
   int32_t from = i;
-  for (int32_t most = n_; g_[from].link != 0 && most > 0 && spend(); --most) {
+  while (g_[from].link != 0 && spend()) {
     const int32_t to = from + g_[from].link;
     if (to < 0 || to >= n_) {
       break;
@@ -315,6 +350,8 @@ void Shaper::hide_ignorables() noexcept {
         continue;
       }
       g_[i].glyph = space;
+      g_[i].x = 0;
+      g_[i].y = 0;
     }
     g_[out++] = g_[i];
   }

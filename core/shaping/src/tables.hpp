@@ -9,6 +9,13 @@
 
 namespace inkcell::detail {
 
+/// The place of a number of the header: those of 16 bits come first.
+constexpr uint32_t number_of(uint32_t at) noexcept {
+  constexpr uint32_t kFirstByte = format::shaping::kPrograms;
+  return at < kFirstByte ? at / 2 : at - kFirstByte / 2;
+}
+static_assert(number_of(format::shaping::kNumbersEnd) == ShapeTables::kNumbers);
+
 /// A table of programs.
 struct ShapeProgram {
   uint32_t flags = 0;
@@ -26,45 +33,65 @@ struct CharacterTraits {
   uint8_t mark = 0;
 };
 
-/// Reads numbers of SHAP. Safe with any bytes: what is not there is 0.
+/// In the order of the section.
+enum ShapeTable : uint32_t {
+  kScriptTable,
+  kProgramTable,
+  kEntryTable,
+  kSpanTable,
+  kCharacterTable,
+  kPropertyTable,
+  kMarkTable,
+  kCompositionTable,
+  kMirrorTable,
+  kLookupTable,
+  kSetTable,
+  kGlyphTable,
+  kRowTable,
+  kDataTable,
+};
+static_assert(kDataTable + 1 == ShapeTables::kTables);
+
+/// Reads numbers of SHAP, one after the other. Safe with any bytes: what is not
+/// there is 0.
 class ShapeReader {
  public:
   explicit ShapeReader(const ShapeTables& tables) noexcept : t_(tables) {}
 
-  uint32_t get(uint32_t bit, uint32_t width) const noexcept {
-    return read_bits(t_.bytes, bit, width);
+  uint32_t get(uint32_t bit, uint32_t width) const noexcept;
+  /// Of one bit, for long searches.
+  bool has_bit(uint32_t bit) const noexcept {
+    return bit / 8 < t_.bytes.size &&
+           (t_.bytes.data[bit / 8] >> bit % 8 & 1) != 0;
   }
-  uint32_t take(uint32_t& bit, uint32_t width) const noexcept {
-    const uint32_t value = get(bit, width);
-    bit += width;
-    return value;
+  void seek(ShapeTable table, uint32_t row) noexcept;
+  uint32_t take(uint32_t width) noexcept;
+  int32_t take_signed() noexcept { return static_cast<int16_t>(take(16)); }
+  /// Looks for the first of the next `count` rows that begins with `key`; they
+  /// ascend by it. True: what follows in the row is next.
+  bool find(uint32_t row_bits,
+            uint32_t count,
+            uint32_t key_bits,
+            uint32_t key) noexcept;
+  /// A number of the header, as it was when the section was opened.
+  uint32_t header(uint32_t at) const noexcept {
+    return t_.numbers[number_of(at)];
   }
-  int32_t take_signed(uint32_t& bit) const noexcept {
-    return static_cast<int16_t>(take(bit, 16));
-  }
-  /// A number of the header.
-  uint32_t u8(uint32_t at) const noexcept { return get(8 * at, 8); }
-  /// A width that is safe to shift by, even if it changed since it was checked.
-  uint32_t bits_of(uint32_t at) const noexcept { return u8(at) & 31; }
-  uint32_t u16(uint32_t at) const noexcept { return get(8 * at, 16); }
   uint32_t glyph_bits() const noexcept {
-    return bits_of(format::shaping::kGlyphBits);
+    return header(format::shaping::kGlyphBits);
   }
 
-  ShapeProgram program(uint32_t number) const noexcept;
-  CharacterTraits traits(uint32_t code_point) const noexcept;
-  uint32_t mirrored(uint32_t code_point) const noexcept;
+  ShapeProgram program(uint32_t number) noexcept;
+  CharacterTraits traits(uint32_t code_point) noexcept;
+  uint32_t mirrored(uint32_t code_point) noexcept;
   /// The letter with the mark of this number; 0: there is none.
-  uint32_t composed(uint32_t letter, uint32_t mark) const noexcept;
+  uint32_t composed(uint32_t letter, uint32_t mark) noexcept;
   /// What a letter is composed of; false: of nothing.
-  bool decompose(uint32_t composed,
-                 uint32_t& letter,
-                 uint32_t& mark) const noexcept;
-  bool in_set(uint32_t set, uint32_t glyph) const noexcept;
-  uint32_t row_of(uint32_t glyph) const noexcept;
-  uint32_t row_bit(uint32_t row) const noexcept;
+  bool decompose(uint32_t composed, uint32_t& letter, uint32_t& mark) noexcept;
+  bool in_set(uint32_t set, uint32_t glyph) noexcept;
 
   const ShapeTables& t_;
+  uint32_t at_ = 0;  // [bit]
 };
 
 }  // namespace inkcell::detail

@@ -4,6 +4,7 @@
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
 #include "font/font_tables.hpp"
+#include "font/metrics_row.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
 
@@ -86,54 +87,6 @@ bool find_section(Span<const uint8_t> rom,
 
 }  // namespace
 
-// Takes a row of METR from left to right. Widths are read again, not kept:
-// reading bits is safe with any.
-class Font::MetricsRow {
- public:
-  // `box_bits`: of the columns but for the advance, which is the first glyphs'.
-  void set(const Span<const uint8_t>& section,
-           uint32_t box_bits,
-           uint32_t glyph) noexcept {
-    section_ = &section;
-    const uint32_t advances =
-        load_u16(section.data + format::metrics::kAdvances);
-    advance_bits_ = section.data[format::metrics::kColumnBits];
-    bit_ = 8 * format::metrics::kBytes + box_bits * glyph;
-    if (glyph < advances) {
-      bit_ += advance_bits_ * glyph;
-    } else {
-      bit_ += advance_bits_ * advances;
-      advance_bits_ = 0;
-    }
-  }
-
-  void skip_advance() noexcept { bit_ += advance_bits_; }
-
-  // As take(0), with less stack.
-  uint16_t advance() const noexcept {
-    return static_cast<uint16_t>(
-        load_u16(section_->data + format::metrics::kBase) +
-        detail::read_bits(*section_, bit_, advance_bits_));
-  }
-
-  // Modulo 2^16.
-  uint16_t take(uint32_t column) noexcept {
-    const uint32_t bits =
-        column == 0 ? advance_bits_
-                    : section_->data[format::metrics::kColumnBits + column];
-    const uint32_t above_base = detail::read_bits(*section_, bit_, bits);
-    bit_ += bits;
-    return static_cast<uint16_t>(
-        load_u16(section_->data + format::metrics::kBase + 2 * column) +
-        above_base);
-  }
-
- private:
-  const Span<const uint8_t>* section_;
-  uint32_t bit_;
-  uint32_t advance_bits_;
-};
-
 // What outlines are read with is kept: it was checked.
 inline bool Font::open_code(const Span<const uint8_t>& code) noexcept {
   namespace outline = format::outline;
@@ -144,6 +97,7 @@ inline bool Font::open_code(const Span<const uint8_t>& code) noexcept {
   const uint32_t code_bits = at[header::kCodeBits];
   const uint8_t grid_shift = at[header::kGridShift];
   if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
+      units_per_em_ < outline::kLeastUnitsPerEm ||
       code.size < size_t{2} << code_bits ||
       static_cast<uint8_t>(grid_shift - outline::kMinGridShift) >
           outline::kMaxGridShift - outline::kMinGridShift) {
@@ -187,7 +141,9 @@ inline Status Font::open_tables(uint32_t sections) noexcept {
   }
   glyph_count_ = load_u16(rom_.data + header::kGlyphCount);
   units_per_em_ = load_u16(rom_.data + header::kUnitsPerEm);
-  if (units_per_em_ < 16 || units_per_em_ > 16384 || !fit_tables()) {
+  constexpr uint32_t kLeastEm = header::kLeastUnitsPerEm;
+  if (units_per_em_ - kLeastEm > header::kMostUnitsPerEm - kLeastEm ||
+      !fit_tables()) {
     return Status::corrupt;
   }
   return open_code(code) ? Status::ok : Status::corrupt;

@@ -117,6 +117,36 @@ class AreaPainter {
     }
   }
 
+  // The same within two columns, both of the band and not its last; `in_first`
+  // and `in_last`: how much of each it passes.
+  static void add_two(Pixel* pixel,
+                      int32_t in_first,
+                      int32_t in_last,
+                      int32_t gain,
+                      int32_t rise) noexcept {
+    const int32_t before = ((in_first * rise >> 8) * in_first + 65536) >> 17;
+    const int32_t at = gain - (((in_last * rise >> 8) * in_last + 65536) >> 17);
+    add(pixel, before);
+    add(pixel + 1, at - before);
+    add(pixel + 2, gain - at);
+  }
+
+  // Within several columns, most often two.
+  static void add_columns(const Band& band,
+                          Pixel* row,
+                          int32_t left,
+                          int32_t right,
+                          int32_t gain,
+                          int32_t rise) noexcept {
+    const int32_t column = left >> 8;
+    const int32_t in_last = right - 256 * column - 256;
+    if (!kIsSmall && in_last <= 256 && is_below(column, band.last_column)) {
+      add_two(row + column, 256 - (left & 255), in_last, gain, rise);
+    } else {
+      add_wide(band, row, left, right, gain, rise);
+    }
+  }
+
   // Within one column. `twice`: the sum of both ends' distances to its left.
   static void add_narrow(int32_t last_column,
                          Pixel* row,
@@ -144,8 +174,9 @@ class AreaPainter {
       add_narrow(band.last_column, row, column, left + right - 512 * column,
                  gain);
     } else {
-      add_wide(band, row, left, right, gain,
-               times(gain, reciprocal_of(static_cast<uint32_t>(right - left))));
+      add_columns(
+          band, row, left, right, gain,
+          times(gain, reciprocal_of(static_cast<uint32_t>(right - left))));
     }
   }
 
@@ -241,7 +272,7 @@ class AreaPainter {
         if (rise == 0) {
           rise = times(full, reciprocal_of(static_cast<uint32_t>(width)));
         }
-        add_wide(band, row, left, left + width, full, rise);
+        add_columns(band, row, left, left + width, full, rise);
       }
       x_q16 += slope;
       row += stride;
@@ -262,9 +293,6 @@ class AreaPainter {
       swap(y0, y1);
     }
     const int32_t high = band.rows * 256;
-    if (y1 <= 0 || y0 >= high) {
-      return;
-    }
     int32_t slope = 0;
     if (!kIsSmall || x0 != x1) {
       slope = times(x1 - x0, reciprocal_of(static_cast<uint32_t>(y1 - y0)));
@@ -304,7 +332,11 @@ class AreaPainter {
                                int32_t x1,
                                int32_t y1) noexcept {
     if ((y0 ^ y1) >> 8 != 0) {
-      paint_rows(band, x0, y0, x1, y1);
+      // Not all of it above or below.
+      const int32_t last = band.rows * 256 - 1;
+      if (((y0 & y1) | ((last - y0) & (last - y1))) >= 0) {
+        paint_rows(band, x0, y0, x1, y1);
+      }
       return;
     }
     const int32_t row = y0 >> 8;
@@ -323,12 +355,15 @@ class AreaPainter {
              });
   }
 
-  // All magnitudes are below a power of 2 if this is.
+  // All magnitudes are below a power of 2 if this is, or equal it.
   static uint32_t magnitudes(int32_t a,
                              int32_t b,
                              int32_t c,
                              int32_t d) noexcept {
-    return static_cast<uint32_t>(abs(a) | abs(b) | abs(c) | abs(d));
+    const auto bits = [](int32_t value) noexcept {
+      return static_cast<uint32_t>(value ^ value >> 31);
+    };
+    return bits(a) | bits(b) | bits(c) | bits(d);
   }
 
   // 2^n chords. Their joints lie outside of the curve by two thirds of how far
@@ -378,16 +413,16 @@ class AreaPainter {
       int32_t y = (at.y + out.y) * 512 + 256;
       int32_t from_x = at.x;
       int32_t from_y = at.y;
-      for (uint32_t left = 1u << halvings; left != 0; --left) {
-        x += dx;
-        y += dy;
-        dx += 2 * d2x;
-        dy += 2 * d2y;
-        int32_t to_x = x >> 9;
-        int32_t to_y = y >> 9;
-        if (left == 1) {
-          to_x = edge[2].x;
-          to_y = edge[2].y;
+      for (uint32_t left = 1u << halvings; left != 0;) {
+        int32_t to_x = edge[2].x;
+        int32_t to_y = edge[2].y;
+        if (--left != 0) {
+          x += dx;
+          y += dy;
+          dx += 2 * d2x;
+          dy += 2 * d2y;
+          to_x = x >> 9;
+          to_y = y >> 9;
         }
         if (are_short) {
           paint_short_line(band, from_x, from_y, to_x, to_y);

@@ -113,9 +113,10 @@ uint32_t count_digits(const Font& font, const GlyphPair& pair) noexcept {
 // those that reach over each other come no closer than designed. [px]
 int32_t room_to_kern(const Font& font,
                      const Style& style,
+                     const Fitter& fitter,
                      const GlyphPair& pair,
                      int32_t kerning_q6) noexcept {
-  const FitGap gap = style.fitter()->gap(font, style, pair.left, pair.right);
+  const FitGap gap = fitter.gap(font, style, pair.left, pair.right);
   const int32_t designed = gap.designed_q6 + kerning_q6;
   return (gap.fitted_q6 - (designed > -32 ? 64 : -(-designed & ~63))) >> 6;
 }
@@ -130,7 +131,7 @@ int32_t join(const Font& font,
                                  : rounded_px(font, style, pair.kerning);
   int32_t px = quotient(kerning_q6, 64);
   if (px < 0) {
-    px = min(max(px, -room_to_kern(font, style, pair, kerning_q6)), 0);
+    px = min(max(px, -room_to_kern(font, style, fitter, pair, kerning_q6)), 0);
   }
   const int32_t advance = font.advance(pair.left);
   const int32_t advance_px = fitter.advance_px(font, style, pair.left);
@@ -155,7 +156,7 @@ int32_t join(const Font& font,
       more = has_blank || is_far ? 1 : 0;
     } else if (blank_px > 0 ||
                (is_far && !has_blank && count_digits(font, pair) == 0 &&
-                room_to_kern(font, style, pair, kerning_q6) > -px)) {
+                room_to_kern(font, style, fitter, pair, kerning_q6) > -px)) {
       more = -1;
     }
   }

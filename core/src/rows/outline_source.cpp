@@ -13,7 +13,7 @@ namespace {
 
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
-constexpr int32_t kPortion = 8;
+constexpr int32_t kPortion = 7;
 
 static_assert(sizeof(OutlineJob) <= kMostJob);
 static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);

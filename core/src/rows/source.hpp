@@ -122,7 +122,7 @@ inline constexpr int32_t kLeastFittedRam = kLeastRam + kMaps;
 inline constexpr int32_t kLeastLargeRam =
     768 + 25 * static_cast<int32_t>(sizeof(void*));
 static_assert(kLeastLargeRam >= kLeastFittedRam, "");
-inline constexpr int32_t kBandRam = 248;
+inline constexpr int32_t kBandRam = 256;
 inline constexpr int32_t kWideBandRam = 488;
 static_assert(kBandRam >= kMostLoaded + kLeastBand, "");
 

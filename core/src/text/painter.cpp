@@ -77,7 +77,7 @@ void Painter::text(const Font& font,
                    Point origin,
                    Text text) const noexcept {
   RunDrawer drawer(*this, font, style);
-  TextCursor cursor(font, text, drawer.style(), report_);
+  TextCursor cursor(*this, font, text, drawer.style());
   drawer.draw_line(origin, cursor);
 }
 
@@ -139,7 +139,7 @@ PixelMeasure Painter::measure(const Font& font,
   detail::StyleRoom room;
   return to_px(font, style,
                inkcell::measure(
-                   font, {font, text, adapted(style, room.style()), report_}));
+                   font, {*this, font, text, adapted(style, room.style())}));
 }
 
 Status Painter::lay_out(const Font& font,
@@ -151,7 +151,7 @@ Status Painter::lay_out(const Font& font,
     return Status::bad_argument;
   }
   detail::StyleRoom room;
-  TextCursor cursor(font, text, adapted(style, room.style()), report_);
+  TextCursor cursor(*this, font, text, adapted(style, room.style()));
   return detail::lay_out_line(cursor, out, glyphs);
 }
 

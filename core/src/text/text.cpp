@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "inkcell/assert.hpp"
+#include "inkcell/painter.hpp"
 #include "text/blank.hpp"
 #include "text/glyph_run.hpp"
 
@@ -119,17 +120,43 @@ TextCursor::TextCursor(const Font& font,
                        const Style& style,
                        TextReport* report) noexcept
     : TextCursor(font, text, report) {
-  if (style.has_whole_advances()) {
-    style_ = &style;
-    fitter_ = style.fitter();
+  set_style(style);
+}
+
+TextCursor::TextCursor(const Painter& painter,
+                       const Font& font,
+                       Text text,
+                       const Style& style) noexcept
+    : TextCursor(font, text, painter.report()) {
+  set_style(style);
+  setter_ = painter.line_setter();
+  if (setter_ != nullptr) {
+    setter_->begin(*setter_, painter, *this);
   }
 }
 
 int32_t TextCursor::advance() const noexcept {
+  if (setter_ != nullptr) {
+    return setter_->letter(*setter_).end;
+  }
   return Advances(font_, style_, fitter_).to_units(advance_);
 }
 
+LetterEdges TextCursor::letter() const noexcept {
+  if (setter_ != nullptr) {
+    return setter_->letter(*setter_);
+  }
+  const Advances advances(font_, style_, fitter_);
+  const int32_t width =
+      previous_ < 0 ? 0 : advances.advance(static_cast<uint16_t>(previous_));
+  return {advances.to_units(advance_ - width), advances.to_units(advance_),
+          false};
+}
+
 bool TextCursor::next(PositionedGlyph& out) noexcept {
+  if (setter_ != nullptr) {
+    return setter_->next(*setter_, out);
+  }
   while (text_.size != 0) {
     const size_t offset = size_ - text_.size;
     if (!find_glyph(font_, next_code_point(text_), report_, out.glyph)) {

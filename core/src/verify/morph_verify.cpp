@@ -24,12 +24,14 @@ class Record {
         return true;
       }
       const uint32_t pieces = take(morphs::kPieceCountBits);
-      const bool is_slit[] = {kind == morphs::kSecondOnly,
-                              kind == morphs::kFirstOnly};
-      take_start(is_slit[0]);
-      take_start(is_slit[1]);
+      const bool is_point[] = {kind == morphs::kSecondOnly,
+                               kind == morphs::kFirstOnly};
+      take_start(is_point[0]);
+      take_start(is_point[1]);
       for (uint32_t i = 0; i < 2 * pieces; ++i) {
-        take_move(is_slit[i % 2]);
+        if (!is_point[i % 2]) {
+          take_move();
+        }
       }
       const uint32_t points = 1 + 2 * pieces;
       if (points > room) {
@@ -48,16 +50,15 @@ class Record {
     return value;
   }
   void take_stop() noexcept { bit_ += width_ + morphs::kEighthBits; }
-  void take_start(bool is_slit) noexcept {
-    for (int32_t stops = is_slit ? 4 : 1; stops != 0; --stops) {
+  void take_start(bool is_point) noexcept {
+    take_stop();
+    if (is_point) {
       take_stop();
+      bit_ += morphs::kBirthBits + morphs::kSwellBits;
     }
-    bit_ += is_slit ? morphs::kEighthBits : 0;
   }
-  void take_move(bool is_slit) noexcept {
-    if (is_slit) {
-      bit_ += morphs::kEighthBits;
-    } else if (take(1) != 0 && take(1) != 0) {
+  void take_move() noexcept {
+    if (take(1) != 0 && take(1) != 0) {
       if (take(1) == 0) {
         bit_ += morphs::kEighthBits;
       } else {

@@ -1,9 +1,9 @@
 #include "inkcell/strike/outline_strike.hpp"
 
+#include "find_picture.hpp"
 #include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/painter.hpp"
-#include "picture.hpp"
 #include "rows/outline_source.hpp"
 #include "rows/strike_scale.hpp"
 
@@ -14,16 +14,8 @@ namespace {
 
 using format::StrikeFit;
 
-// The first word of an entry.
-constexpr uint32_t entry_word(int32_t px,
-                              uint32_t bits,
-                              StrikeFit fit) noexcept {
-  return static_cast<uint32_t>(px) | bits << 16 |
-         static_cast<uint32_t>(fit) << 24;
-}
-
 // The strikes that show what a style draws from outlines into a sink, as the
-// word of their entries. False: none do.
+// first word of their entries. By kBits, those of 1 bit alone. False: none do.
 template <bool kBits>
 bool find_word(const Style& style, const Sink& sink, uint32_t& word) noexcept {
   const int32_t size_q6 = style.size().raw;
@@ -33,36 +25,54 @@ bool find_word(const Style& style, const Sink& sink, uint32_t& word) noexcept {
   const Fitter* const fitter = style.fitter();
   const LevelRule* const rule = sink.levels;
   uint32_t bits = 4;
-  StrikeFit fit = StrikeFit::none;
+  // No font has strikes of this fit beside outlines.
+  StrikeFit fit = StrikeFit::source;
   if (rule != nullptr) {
-    if (style.effect() != rule->effect) {
+    bits = rule->effect->strike_bits;
+    if (style.effect() != rule->effect || (kBits && bits != 1)) {
       return false;
     }
-    bits = rule->effect->strike_bits;
-    fit = fitter == rule->own ? StrikeFit::both : StrikeFit::source;
+    if (fitter == rule->own) {
+      fit = StrikeFit::both;
+    }
   } else {
     if (kBits || style.effect() != nullptr) {
       return false;
     }
-    fit = style.fit_options() == &kBothMark      ? StrikeFit::both
-          : style.fit_options() == &kHeightsMark ? StrikeFit::heights
-                                                 : StrikeFit::source;
+    if (style.fit_options() == &kBothMark) {
+      fit = StrikeFit::both;
+    } else if (style.fit_options() == &kHeightsMark) {
+      fit = StrikeFit::heights;
+    }
   }
   // Larger glyphs are not fitted.
   if (fitter == nullptr || size_q6 >= Fit::kEnds.raw) {
     fit = StrikeFit::none;
   }
-  word = entry_word(size_q6 >> 6, bits, fit);
-  return fit != StrikeFit::source;
+  word = static_cast<uint32_t>(size_q6) >> 6 | bits << 16 |
+         static_cast<uint32_t>(fit) << 24;
+  return true;
 }
 
-// By kBits, strikes of 1 bit alone.
+// Finds and draws. Not inline: what it takes of the stack is free again when
+// outlines are drawn. False: there is no picture.
+__attribute__((noinline)) bool draw_found(const Span<const uint8_t>& strikes,
+                                          const PictureCall& call,
+                                          DrawPicture* draw,
+                                          const Sink& sink) noexcept {
+  Picture picture;
+  if (!find_picture(strikes, call, picture)) {
+    return false;
+  }
+  draw_in_window(picture, draw, sink);
+  return true;
+}
+
 template <bool kBits>
 void draw_either(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept {
   const Sink& sink = run.painter.sink();
   uint32_t word;
   if (find_word<kBits>(*run.style, sink, word) &&
-      (!kBits || (word & kBitsMask) == kBitKey.word) &&
       // Fitters bring glyphs to whole pixels.
       (word >> 24 != static_cast<uint32_t>(StrikeFit::none) ||
        ((placed.x_q10 | placed.y_q10) & 1023) == 0) &&

@@ -1,9 +1,9 @@
 #include "inkcell/strike/strike.hpp"
 
+#include "find_picture.hpp"
 #include "inkcell/few_levels.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/painter.hpp"
-#include "picture.hpp"
 #include "rows/source.hpp"
 #include "rows/strike_scale.hpp"
 
@@ -28,7 +28,7 @@ bool prepare_strike(GlyphJob& job,
   Picture picture;
   const Font* const page =
       find_page(*static_cast<const Font*>(ref.from), *job.style, call);
-  if (page == nullptr || !find_picture(page->glyph_table(), call, picture)) {
+  if (page == nullptr || !StrikeAlone::find_picture(*page, call, picture)) {
     return false;
   }
   job.box = picture.box;
@@ -49,9 +49,10 @@ void draw_strike(GlyphRun& run, uint16_t glyph, const Placed& placed) noexcept {
       (sink.levels != nullptr && effect == sink.levels->effect);
   // Bytes that change may change the size that the font has, too.
   INKCELL_ASSERT(is_plain(style) && has_no_effect);
-  if (page != nullptr && has_no_effect) {
-    draw_found(page->glyph_table(), call, kBits ? draw_bits : draw_picture,
-               sink);
+  Picture picture;
+  if (page != nullptr && has_no_effect &&
+      StrikeAlone::find_picture(*page, call, picture)) {
+    draw_in_window(picture, kBits ? draw_bits : draw_picture, sink);
   }
 }
 

@@ -1,20 +1,11 @@
 #include "glyph_reader.hpp"
 
+#include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "place/style_parts.hpp"
 
 namespace inkcell::detail {
 namespace {
-
-// Of a point.
-enum PointFlag : uint32_t {
-  kPointOn = 1,
-  kPointShortX = 2,
-  kPointShortY = 4,
-  kPointRepeat = 8,
-  kPointSameX = 16,  // of a short one: positive
-  kPointSameY = 32,
-};
 
 // Of a component.
 enum PartFlag : uint32_t {
@@ -26,21 +17,41 @@ enum PartFlag : uint32_t {
   kPartMatrix = 128,
 };
 
-// The bytes that the flag of a point says x takes, or shifted by one y.
-uint32_t step_bytes_of(uint32_t flag) noexcept {
-  return (flag & kPointShortX) != 0 ? 1 : ~flag >> 3 & 2;
+// The scale at which a height is whole rows: those that are missing less than
+// `more_q6` of one are rounded up. Heights below 1.5 rows keep it. [px, Q18]
+__attribute__((noinline)) uint32_t scale_to_grid(uint32_t scale,
+                                                 uint32_t units,
+                                                 uint32_t more_q6,
+                                                 int32_t strength_q8) noexcept {
+  const uint32_t natural = units * scale >> 12;
+  if (natural < 96) {
+    return scale;
+  }
+  const auto more =
+      static_cast<int32_t>(((natural + more_q6) & ~63u) - natural);
+  return scale * (natural + static_cast<uint32_t>(more * strength_q8 >> 8)) /
+         natural;
 }
 
-// A step along x, or with a flag that is shifted by one along y.
-__attribute__((always_inline)) inline int32_t step_of(
-    uint32_t flag, const uint8_t*& at) noexcept {
-  if ((flag & kPointShortX) != 0) {
-    const int32_t step = *at++;
-    return (flag & kPointSameX) != 0 ? step : -step;
+// That of y in a fitted style, of a glyph whose ink ends at `top`: the x-height
+// is rounded up, as Fit does, and then the height of capitals to the nearest.
+uint32_t fitted_scale(const TrueTypeFace& face,
+                      uint32_t scale,
+                      uint32_t em,
+                      int32_t top,
+                      int32_t strength_q8) noexcept {
+  const uint32_t x_height = load_u16(face.header + format::header::kXHeight);
+  const uint32_t capitals = load_u16(face.header + format::header::kCapHeight);
+  if (x_height <= em) {
+    scale = scale_to_grid(scale, x_height, 56, strength_q8);
   }
-  const int32_t step = static_cast<int16_t>(at[0] << 8 | at[1]);
-  at += 2;
-  return step;
+  // Round ones are higher.
+  const uint32_t beyond = em >> 6;
+  if (capitals <= em &&
+      static_cast<uint32_t>(top) - capitals + beyond <= 2 * beyond) {
+    scale = scale_to_grid(scale, capitals, 32, strength_q8);
+  }
+  return scale;
 }
 
 int32_t units_moved(const OutlineMap::Axis& axis,
@@ -49,197 +60,13 @@ int32_t units_moved(const OutlineMap::Axis& axis,
   return sum(product(x, axis.per_x), product(y, axis.per_y));
 }
 
-// Copies up to two bytes, zeros behind the end.
-void copy_two(const uint8_t* from, const uint8_t* end, uint8_t* to) noexcept {
-  to[0] = from < end ? from[0] : uint8_t{0};
-  to[1] = end - from > 1 ? from[1] : uint8_t{0};
-}
-
 }  // namespace
 
-bool SimpleReader::begin(const Table& file,
-                         const Table& record,
-                         int32_t& budget) noexcept {
-  contours_ = 0;
-  is_open_ = false;
-  const uint32_t contours = u16_at(record, kRecordContours);
-  const uint32_t hints = kRecordBytes + 2 * contours;
-  const uint32_t points = u16_at(record, hints - 2) + 1;
-  const uint32_t flags = hints + 2 + u16_at(record, hints);
-  const auto cost = static_cast<int32_t>(points + 2 * contours);
-  if (contours == 0 || flags >= record.size || cost > budget) {
-    return false;
-  }
-  const uint8_t* at = record.data + flags;
-  const uint8_t* const end = record.data + record.size;
-  uint32_t x_bytes = 0;
-  uint32_t y_bytes = 0;
-  for (uint32_t left = points; left != 0;) {
-    if (at == end) {
-      return false;
-    }
-    const uint32_t flag = *at++;
-    uint32_t count = 1;
-    if ((flag & kPointRepeat) != 0) {
-      if (at == end) {
-        return false;
-      }
-      count += *at++;
-    }
-    if (count > left) {
-      return false;
-    }
-    left -= count;
-    x_bytes += step_bytes_of(flag) * count;
-    y_bytes += step_bytes_of(flag >> 1) * count;
-  }
-  if (static_cast<uint32_t>(end - at) < x_bytes + y_bytes) {
-    return false;
-  }
-  budget -= cost;
-  end_ = file.data + file.size;
-  ends_ = record.data + kRecordBytes;
-  flags_ = record.data + flags;
-  xs_ = at;
-  ys_ = at + x_bytes;
-  contours_ = static_cast<uint16_t>(contours);
-  points_ = static_cast<uint16_t>(points);
-  next_ = 0;
-  repeats_ = 0;
-  return true;
-}
-
-// Writes `count` points.
-inline void SimpleReader::take(const OutlineMap& map,
-                               ScreenPoint* out,
-                               int32_t count) noexcept {
-  const OutlineMap::Axis& right = map.axes[0];
-  const OutlineMap::Axis& down = map.axes[1];
-  const uint8_t* flags = flags_;
-  const uint8_t* xs = xs_;
-  const uint8_t* ys = ys_;
-  uint32_t flag = flag_;
-  uint32_t repeats = repeats_;
-  uint32_t x_q18 = x_q18_;
-  uint32_t y_q18 = y_q18_;
-  while (count != 0) {
-    // Near the end of the file points are read from a copy, one at a time.
-    uint8_t copy[6];
-    const uint8_t* const last = flags > xs ? flags : xs;
-    auto safe = static_cast<int32_t>((end_ - (last > ys ? last : ys)) / 2);
-    const bool is_copied = safe <= 0;
-    if (__builtin_expect(is_copied, 0)) {
-      copy_two(flags, end_, copy);
-      copy_two(xs, end_, copy + 2);
-      copy_two(ys, end_, copy + 4);
-      flags_ = flags;
-      xs_ = xs;
-      ys_ = ys;
-      flags = copy;
-      xs = copy + 2;
-      ys = copy + 4;
-      safe = 1;
-    }
-    safe = min(safe, count);
-    count -= safe;
-    for (ScreenPoint* const stop = out + safe; out != stop; ++out) {
-      if (repeats != 0) {
-        --repeats;
-      } else {
-        flag = *flags++;
-        if ((flag & kPointRepeat) != 0) {
-          repeats = *flags++;
-        }
-      }
-      if ((flag & (kPointShortX | kPointSameX)) != kPointSameX) {
-        const auto dx = static_cast<uint32_t>(step_of(flag, xs));
-        x_q18 += dx * static_cast<uint32_t>(right.per_x);
-        y_q18 += dx * static_cast<uint32_t>(down.per_x);
-      }
-      if ((flag & (kPointShortY | kPointSameY)) != kPointSameY) {
-        const auto dy = static_cast<uint32_t>(step_of(flag >> 1, ys));
-        x_q18 += dy * static_cast<uint32_t>(right.per_y);
-        y_q18 += dy * static_cast<uint32_t>(down.per_y);
-      }
-      *out = ScreenPoint::at(static_cast<int32_t>(x_q18) >> 10,
-                             static_cast<int32_t>(y_q18) >> 10,
-                             (flag & kPointOn) != 0 ? kCorner : kOffCurve);
-    }
-    if (__builtin_expect(is_copied, 0)) {
-      const auto passed = [this](const uint8_t* from, const uint8_t* at,
-                                 const uint8_t* begin) noexcept {
-        return end_ - from < at - begin ? end_ : from + (at - begin);
-      };
-      flags = passed(flags_, flags, copy);
-      xs = passed(xs_, xs, copy + 2);
-      ys = passed(ys_, ys, copy + 4);
-    }
-  }
-  flags_ = flags;
-  xs_ = xs;
-  ys_ = ys;
-  flag_ = static_cast<uint8_t>(flag);
-  repeats_ = static_cast<uint8_t>(repeats);
-  x_q18_ = x_q18;
-  y_q18_ = y_q18;
-}
-
-// Sets left_; 0: the contour does not fit, and no more come.
-inline void SimpleReader::open_contour() noexcept {
-  const int32_t end = ends_[0] << 8 | ends_[1];
-  const int32_t count = end + 1 - next_;
-  ends_ += 2;
-  --contours_;
-  is_open_ = true;
-  has_tail_ = false;
-  if (count <= 0 || count > points_) {
-    contours_ = 0;
-    is_open_ = false;
-    left_ = 0;
-    return;
-  }
-  left_ = static_cast<uint16_t>(count);
-  points_ = static_cast<uint16_t>(points_ - count);
-  next_ = static_cast<uint16_t>(end + 1);
-}
-
-ScreenPoint* SimpleReader::read(const OutlineMap& map,
-                                ScreenPoint* out,
-                                int32_t room) noexcept {
-  ScreenPoint* const last = out + room;
-  while (last - out >= kLeastRoom && !has_ended()) {
-    const bool is_first = !is_open_;
-    if (is_first) {
-      open_contour();
-    }
-    const int32_t count = min(left_, static_cast<int32_t>(last - out));
-    take(map, out, count);
-    left_ = static_cast<uint16_t>(left_ - count);
-    if (is_first && count != 0) {
-      // A contour that begins with a control point begins at the next point, or
-      // in the middle of two; that control point comes last.
-      if (out->kind() == kOffCurve && count != 1) {
-        has_tail_ = true;
-        tail_ = out[0];
-        out[0] =
-            out[1].kind() != kOffCurve
-                ? out[1]
-                : ScreenPoint::at((tail_.x_q8 + out[1].x_q8) >> 1,
-                                  (tail_.y_q8() + out[1].y_q8()) >> 1, kCorner);
-      }
-      start_ = {out->x_q8, (out->y_q8_kind & ~3) | int32_t{kCorner}};
-      out->y_q8_kind |= int32_t{kStart};
-    }
-    out += count;
-    if (is_open_ && left_ == 0 && last - out >= kLeastRoom) {
-      if (has_tail_) {
-        *out++ = tail_;
-      }
-      *out++ = start_;
-      is_open_ = false;
-    }
-  }
-  return out;
+__attribute__((noinline)) int32_t fit_strength_q8(const Style& style) noexcept {
+  constexpr int32_t kEnds = 40 << 6;
+  return style.is_upright() && style.is_fitted()
+             ? min(max(kEnds - style.size().raw, 0) >> 2, 256)
+             : 0;
 }
 
 bool TrueTypeGlyph::find(const Font& font,
@@ -248,22 +75,28 @@ bool TrueTypeGlyph::find(const Font& font,
                          InkEnds (&ink)[2],
                          bool& is_mirrored) noexcept {
   face_ = &TrueTypeFont::face_of(font);
-  record_ = record_of(*face_, glyph);
+  int32_t left = 0;
+  record_ = face_->record(*face_, glyph, &left);
+  glyph_ = glyph;
   if (record_.size == 0) {
     return false;
   }
   const uint32_t em = font.units_per_em();
   const auto size_q18 = static_cast<uint32_t>(style.size().raw) << 12;
-  const auto scale = static_cast<int32_t>((size_q18 + em / 2) / em);
-  map_ = {{{scale, 0}, {0, -scale}}};
+  const uint32_t scale = (size_q18 + em / 2) / em;
+  const int32_t strength_q8 = fit_strength_q8(style);
+  const int32_t top = i16_at(record_, kRecordBox + 6);
+  const auto up = static_cast<int32_t>(
+      strength_q8 == 0 ? scale
+                       : fitted_scale(*face_, scale, em, top, strength_q8));
+  map_ = {{{static_cast<int32_t>(scale), 0}, {0, -up}}};
   // Filled areas lie to the right, and y leads down.
   is_mirrored =
       style.is_upright() || !StyleParts::slant(style).map(style, map_);
   const int32_t x_min = i16_at(record_, kRecordBox);
   const int32_t y_min = i16_at(record_, kRecordBox + 2);
   const int32_t width = i16_at(record_, kRecordBox + 4) - x_min;
-  const int32_t height = i16_at(record_, kRecordBox + 6) - y_min;
-  const int32_t left = left_bearing_of(*face_, glyph);
+  const int32_t height = top - y_min;
   shift_ = left - x_min;
   for (int32_t i = 0; i != 2; ++i) {
     const OutlineMap::Axis& axis = map_.axes[i];
@@ -292,7 +125,7 @@ bool TrueTypeGlyph::begin_record(const Table& record,
   }
   part_map_ = map;
   work_.reader.set_pen(origin_q18);
-  return work_.reader.begin(face_->file, record, budget_);
+  return work_.reader.begin(face_->records, record, budget_);
 }
 
 // Goes to the next simple component. False: there are no more.
@@ -356,11 +189,16 @@ bool TrueTypeGlyph::next_part() noexcept {
     } else {
       --depth_;
     }
-    if (begin_record(record_of(*face_, glyph), map, origin_q18)) {
+    if (begin_record(face_->record(*face_, glyph, nullptr), map, origin_q18)) {
       return true;
     }
   }
   return false;
+}
+
+void TrueTypeGlyph::find_again() noexcept {
+  int32_t left;
+  record_ = face_->record(*face_, glyph_, &left);
 }
 
 void TrueTypeGlyph::rewind() noexcept {

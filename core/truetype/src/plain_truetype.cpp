@@ -21,10 +21,13 @@ constexpr Source kPlainTrueTypeSource = {
 
 }  // namespace
 
-// Name the objects of all painters, as kOutlinePainters does.
+// Name the objects of all painters, and of coverage from areas, as
+// kOutlinePainters does.
 extern PaintPoints* const kTrueTypePainters[];
 PaintPoints* const kTrueTypePainters[] = {
     paint_areas, paint_crossings, paint_distances, paint_wide_distances};
+extern decltype(cover_areas)* const kTrueTypeCover;
+decltype(cover_areas)* const kTrueTypeCover = cover_areas;
 
 }  // namespace detail
 

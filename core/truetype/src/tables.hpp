@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "inkcell/span.hpp"
-#include "inkcell/truetype/truetype_font.hpp"
 
 namespace inkcell::detail {
 
@@ -21,9 +20,6 @@ INKCELL_TABLE_READ uint32_t u16_at(const Table& table, uint32_t at) noexcept {
   return at < table.size && table.size - at >= 2
              ? uint32_t{table.data[at]} << 8 | table.data[at + 1]
              : 0;
-}
-INKCELL_TABLE_READ int32_t i16_at(const Table& table, uint32_t at) noexcept {
-  return static_cast<int16_t>(u16_at(table, at));
 }
 INKCELL_TABLE_READ uint32_t u32_at(const Table& table, uint32_t at) noexcept {
   if (at >= table.size || table.size - at < 4) {
@@ -47,16 +43,64 @@ INKCELL_TABLE_READ Table part_of(const Table& table,
 
 #undef INKCELL_TABLE_READ
 
-// The record of a glyph in `glyf`; empty for a space, and where something does
-// not fit.
-Table record_of(const TrueTypeFace& face, uint32_t glyph) noexcept;
+// Numbers that a search compares while `left` bytes of records are left, and
+// what a search for a key finds: tables in storage keep some.
+inline uint32_t key_at(const Table& table, uint32_t at, uint32_t) noexcept {
+  return u16_at(table, at);
+}
+inline uint32_t wide_key_at(const Table& table,
+                            uint32_t at,
+                            uint32_t) noexcept {
+  return u32_at(table, at);
+}
+template <typename Find>
+static uint32_t found_in(const Table&, uint32_t, const Find& find) noexcept {
+  return find();
+}
 
-// Offsets in a record.
+template <typename AnyTable>
+static int32_t i16_at(const AnyTable& table, uint32_t at) noexcept {
+  return static_cast<int16_t>(u16_at(table, at));
+}
+
+// Records of a table, ordered by keys.
+struct Records {
+  uint32_t first;  // where the first record is
+  uint32_t count;
+  uint8_t bytes;  // of a record
+  uint8_t last;   // where the last key of a record is; the first is at 0
+  bool is_wide;   // keys of 32 bits
+};
+
+// Where the record of a key is; 0: nowhere.
+template <typename AnyTable>
+static uint32_t find_record(const AnyTable& table,
+                            const Records& in,
+                            uint32_t key) noexcept {
+  // The record before `low` is the last one that begins at the key or before.
+  uint32_t low = 0;
+  uint32_t high = in.count;
+  while (low < high) {
+    const uint32_t middle = (low + high) >> 1;
+    const uint32_t at = in.first + in.bytes * middle;
+    const uint32_t left = (high - low) * in.bytes;
+    if (key <
+        (in.is_wide ? wide_key_at(table, at, left) : key_at(table, at, left))) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  const uint32_t at = in.first + in.bytes * (low - 1);
+  return low == 0 || key > (in.is_wide ? u32_at(table, at + in.last)
+                                       : u16_at(table, at + in.last))
+             ? 0
+             : at;
+}
+
+// Offsets in the record of a glyph.
 inline constexpr uint32_t kRecordContours = 0;  // i16; < 0: a composite
 inline constexpr uint32_t kRecordBox = 2;       // i16 xMin, yMin, xMax, yMax
 inline constexpr uint32_t kRecordBytes = 10;
-
-// The distance from the origin to the box of a glyph, as `hmtx` has it.
-int32_t left_bearing_of(const TrueTypeFace& face, uint32_t glyph) noexcept;
 
 }  // namespace inkcell::detail

@@ -5,7 +5,7 @@
 #include "inkcell/assert.hpp"
 #include "inkcell/coding.hpp"
 #include "inkcell/painter.hpp"
-#include "rows/area_painter.hpp"
+#include "rows/wide_areas.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -26,117 +26,13 @@ __attribute__((noinline)) void draw_on_own_stack(
   draw_bands(call, {bytes, sizeof bytes});
 }
 
-// Sums of 16 bits hold 136 contours on each other.
-struct WordRows {
-  using Pixel = uint16_t;
-};
-
-// Sums are kept above by so much: then those that a row of bytes can show, of
-// which the lowest are roundings below 0 and the highest are clamped, have 8
-// bits. See cover_areas().
-constexpr int32_t kBelow = 8;
-
-// The nearest sum that it can show.
-int32_t saturated(int32_t sum) noexcept {
-  constexpr int32_t kFull = 240;
-  return is_below(sum, 256) ? sum : min(abs(sum - kBelow), kFull) + kBelow;
-}
-
-// Two pixels of 16 bits in a word, the first and the second.
-int32_t first_of(uint32_t word) noexcept {
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  return static_cast<int32_t>(word) >> 16;
-#else
-  return static_cast<int16_t>(word);
-#endif
-}
-int32_t second_of(uint32_t word) noexcept {
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  return static_cast<int16_t>(word);
-#else
-  return static_cast<int32_t>(word) >> 16;
-#endif
-}
-
-// Their low bytes, the first one lowest.
-uint32_t low_bytes(uint32_t word) noexcept {
-  return (static_cast<uint32_t>(first_of(word)) & 255) |
-         (static_cast<uint32_t>(second_of(word)) & 255) << 8;
-}
-
-// The same of four pixels as saturated sums differ.
-__attribute__((noinline)) uint32_t saturated_bytes(const uint32_t (&words)[2],
-                                                   int32_t sum) noexcept {
-  uint32_t bytes = 0;
-  int32_t before = saturated(sum);
-  for (uint32_t i = 0; i != 4; ++i) {
-    const uint32_t word = words[i >> 1];
-    sum += (i & 1) == 0 ? first_of(word) : second_of(word);
-    const int32_t shown = saturated(sum);
-    bytes |= (static_cast<uint32_t>(shown - before) & 255) << 8 * i;
-    before = shown;
-  }
-  return bytes;
-}
-
-struct FourPixels {
-  uint32_t words[2];
-
-  explicit FourPixels(const uint8_t* at) noexcept {
-    __builtin_memcpy(words, __builtin_assume_aligned(at, 4), sizeof words);
-  }
-  bool is_zero() const noexcept { return (words[0] | words[1]) == 0; }
-
-  // The bytes to show; `sum` goes on behind them.
-  uint32_t bytes(int32_t& sum) const noexcept {
-    const int32_t a = sum + first_of(words[0]);
-    const int32_t b = a + second_of(words[0]);
-    const int32_t c = b + first_of(words[1]);
-    const int32_t d = c + second_of(words[1]);
-    const int32_t any = sum | a | b | c | d;
-    const uint32_t result = __builtin_expect((any & ~255) == 0, 1)
-                                ? low_bytes(words[0]) | low_bytes(words[1])
-                                                            << 16
-                                : saturated_bytes(words, sum);
-    sum = d;
-    return result;
-  }
-};
-
-// From rows of 16 bits, which may begin where the band does, to rows of bytes:
-// differences of saturated sums.
-void saturate(const Band& band, const uint8_t* wide) noexcept {
-  uint8_t* to = band.bytes;
-  const int32_t row_bytes = band.row_bytes();
-  const int32_t skipped = band.stride - row_bytes;
-  for (int32_t row = band.rows; row != 0; --row) {
-    int32_t sum = kBelow;
-    uint8_t* const end = to + row_bytes;
-    do {
-      const FourPixels pixels(wide);
-      wide += 8;
-      uint8_t* const at = to;
-      to += 4;
-      if (!pixels.is_zero()) {
-        store_pixels(at, pixels.bytes(sum));
-        continue;
-      }
-      store_pixels(at, 0);
-      // Most follow each other.
-      while (!kIsSmall && end - to >= 8 && FourPixels(wide).is_zero() &&
-             FourPixels(wide + 8).is_zero()) {
-        store_pixels(to, 0);
-        store_pixels(to + 4, 0);
-        to += 8;
-        wide += 16;
-      }
-    } while (to != end);
-    to += skipped;
-    wide += 2 * skipped;
-  }
-}
+// Bytes are coverage once a band is painted.
+void cover_none(const Band&, const Filter&) noexcept {}
+constexpr BandKind kCoveredBand = {nullptr, cover_none, BandBytes::area,
+                                   Painted::other, 128};
 
 bool load_wide(GlyphJob& job) noexcept {
+  job.plan.band_kind = &kCoveredBand;
   // Rows of 16 bits begin where bands do, and take as much again. Where a mixer
   // has memory behind the band, which takes half of it at most and margins as
   // much as rows, they lie behind all.
@@ -154,10 +50,10 @@ void fill_wide(GlyphJob& base) noexcept {
     band.bytes = job.ram + job.ram_bytes;
     clear_pixels(band.bytes, 2 * size);
   }
-  fill_glyph(job, AreaPainter<WordRows>::paint);
+  fill_glyph(job, paint_wide_areas);
   const uint8_t* const wide = band.bytes;
   band.bytes = bytes;
-  saturate(band, wide);
+  cover_wide_rows(band, wide);
 }
 
 constexpr Source kTrueTypeSource = {prepare_glyph,     load_wide,
@@ -165,10 +61,6 @@ constexpr Source kTrueTypeSource = {prepare_glyph,     load_wide,
                                     SourceKind::areas, draw_truetype};
 
 }  // namespace
-
-// Names the object of coverage from areas, for band.cpp.
-extern decltype(cover_areas)* const kTrueTypeCover;
-decltype(cover_areas)* const kTrueTypeCover = cover_areas;
 
 void draw_truetype(GlyphRun& run,
                    uint16_t glyph,
@@ -197,7 +89,11 @@ bool prepare_glyph(GlyphJob& base,
                         *job.style, ink, job.band.is_mirrored)) {
     return false;
   }
-  job.outline.find_box(placed, job.plan, job.guards * 128, ink, job.box);
+  Placed at = placed;
+  // The baseline lies between two rows.
+  const int32_t part = ((at.y_q10 + 512) & 1023) - 512;
+  at.y_q10 -= part * fit_strength_q8(*job.style) >> 8;
+  job.outline.find_box(at, job.plan, job.guards * 128, ink, job.box);
   return true;
 }
 
@@ -241,6 +137,7 @@ void fill_glyph(TrueTypeJob& job, PaintPoints* paint) noexcept {
     paint(job.band, job.cursor, job.points, job.points + job.count);
     return;
   }
+  job.outline.find_again();
   job.outline.rewind();
   do {
     const ScreenPoint* const end = job.outline.read(job.points, job.count);

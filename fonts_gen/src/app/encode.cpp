@@ -159,7 +159,7 @@ std::string hpp_coding(const FontReport& report, const std::string& name) {
   const bool is_bits =
       std::all_of(report.strikes.begin(), report.strikes.end(),
                   [](const StrikeTarget& strike) { return strike.bits == 1; });
-  return "// For Font::open().\ninline constexpr const inkcell::Coding& " +
+  return "// What opens the font.\ninline constexpr const inkcell::Coding& " +
          name + "_coding =\n    inkcell::k" +
          (report.options.coding == Coding::strike ? "" : "Outline") +
          (is_bits ? "Bit" : "") + "StrikeCoding;\n";
@@ -314,6 +314,8 @@ std::string encode_stored_header(const RomFont& font, const std::string& name) {
              : " + kIndexRoots +\n         (glyphs < kIndexBlocks ? glyphs : "
                "kIndexBlocks)";
   out += ";\n}\n\n}  // namespace " + name + "\n";
+  out +=
+      font.report.strikes.empty() ? "" : "\n" + hpp_coding(font.report, name);
   out += font.report.icons.empty() ? "" : hpp_icons(font, name);
   return out + "\n}  // namespace fonts\n";
 }

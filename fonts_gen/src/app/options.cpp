@@ -209,11 +209,22 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
                           "parted by blanks: '01 12 23'; about 30 bytes a "
                           "pair; repeatable"))
       ->type_name("STRING");
+  app.add_flag("--colour", request.has_colours,
+               "(outline) Keep the colours of drawings and of colour fonts: "
+               "ColourGlyphs draws them, other painters one colour");
   app.add_option("--shape", request.shapes,
                  "(outline) Scripts that the device shapes at run time, with "
                  "languages in capitals and further features: "
                  "arab:FAS,URD,hebr,thai,latn+smcp")
       ->type_name("LIST");
+  app.add_flag("--keep-layout", request.keep_layout,
+               "(outline) Keep GSUB, GPOS and GDEF, and all glyphs that they "
+               "make of the characters, for HarfBuzz on the device "
+               "(port/harfbuzz)");
+  add_choice<bool>(
+      app, "--compose", request.compose, {{"on", true}, {"off", false}},
+      "(outline) What composes letters and marks (NFD) on the device, where "
+      "the font has the composed letter and --shape is not given");
   app.add_option(
          "--paged", request.paged,
          "For storage that is not mapped, such as an SD card: blocks of "

@@ -190,6 +190,11 @@ std::string report_for_people(const FontReport& report) {
   for (const StrikeTarget& strike : report.strikes) {
     text += format("  %-16s%d px, %d bits\n", "strike", strike.px, strike.bits);
   }
+  if (report.layer_lists != 0) {
+    text +=
+        format("  %-16s%zu, of %zu outlines in %zu colours\n", "colour glyphs",
+               report.layer_lists, report.layer_outlines, report.colours);
+  }
   for (const IconFile& icon : report.icons) {
     text += format("  %-16sU+%04X k", "icon",
                    static_cast<unsigned>(icon.code_point)) +
@@ -213,6 +218,9 @@ std::string report_for_people(const FontReport& report) {
   }
   if (bytes.strikes != 0) {
     part("strikes", bytes.strikes);
+  }
+  if (bytes.layers != 0) {
+    part("layers", bytes.layers);
   }
   part("glyphs", bytes.glyphs);
   part("name", bytes.name);
@@ -272,6 +280,11 @@ std::string report_as_json(const FontReport& report) {
                                {"bits", strike.bits},
                                {"fit", static_cast<int>(strike.fit)}});
   }
+  if (report.layer_lists != 0) {
+    json["layers"] = {{"glyphs", report.layer_lists},
+                      {"outlines", report.layer_outlines},
+                      {"colours", report.colours}};
+  }
   if (!report.icons.empty()) {
     Json icons = Json::object();
     for (const IconFile& icon : report.icons) {
@@ -295,8 +308,8 @@ std::string report_as_json(const FontReport& report) {
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
                    {"morphs", bytes.morphs},   {"shaping", bytes.shaping},
-                   {"strikes", bytes.strikes}, {"glyphs", bytes.glyphs},
-                   {"name", bytes.name}};
+                   {"strikes", bytes.strikes}, {"layers", bytes.layers},
+                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;
   json["composite_bytes"] = report.composite_bytes;

@@ -10,7 +10,10 @@
 #include "inkcell/field/cell.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/layers/verify.hpp"
+#include "inkcell/shaping/verify.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "inkcell/strike/verify.hpp"
 #include "judge/strike_pictures.hpp"
 #include "rom/rom_font.hpp"
@@ -266,9 +269,13 @@ void check_rom_font(const std::vector<uint8_t>& bytes,
   }
   const Status strikes = verify_strikes(font);
   const bool is_field = content.options.coding == Coding::field;
-  const Status verified = strikes != Status::ok ? strikes
-                          : is_field            ? verify_fields(font)
-                                                : font.verify();
+  const Status shaping = verify_shaping(font);
+  const Status layers = verify_layers(font);
+  const Status verified = strikes != Status::ok   ? strikes
+                          : shaping != Status::ok ? shaping
+                          : layers != Status::ok  ? layers
+                          : is_field              ? verify_fields(font)
+                                                  : font.verify();
   if (verified != Status::ok) {
     differ(content, "that the device does not verify it (status " +
                         std::to_string(static_cast<int>(verified)) + ")");
@@ -296,10 +303,11 @@ void check_paged_font(const std::vector<uint8_t>& bytes,
       StoredFont::ram_bytes(content.block_bytes, 4) / sizeof(uint64_t) + 1);
   auto file = bytes;
   StoredFont stored;
+  const bool is_strike = content.options.coding == Coding::strike;
   const Status status = StoredFont::open(
       {read_bytes, &file},
       {reinterpret_cast<uint8_t*>(ram.data()), ram.size() * sizeof(uint64_t)},
-      stored);
+      is_strike ? kStrikeCoding : kStoredOutlineCoding, stored);
   if (status != Status::ok || stored.verify() != Status::ok) {
     differ(content, "that the device does not open it");
   }
@@ -315,7 +323,11 @@ void check_paged_font(const std::vector<uint8_t>& bytes,
       differ(content, "the glyph of " + describe(code_point));
     }
     glyphs.push_back({source, glyph});
-    check_record(*page, static_cast<uint16_t>(id), content, code, source);
+    if (is_strike) {
+      check_picture(content, source, font, glyph);
+    } else {
+      check_record(*page, static_cast<uint16_t>(id), content, code, source);
+    }
     check_metrics(font, glyphs.back(), content);
   }
   check_kerning(font, glyphs, content);

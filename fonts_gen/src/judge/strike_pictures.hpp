@@ -33,11 +33,16 @@ DrawnStrike draw_strike(const SourceFont& source,
                         const StrikeTarget& target,
                         size_t count);
 
-/// Throws Error if the device draws other pictures of `bytes`, a font of this
-/// strike alone.
+/// Throws Error if the device draws glyph `id` of a font of strikes alone
+/// otherwise than `content` has glyph `source`.
+void check_picture(const RomContent& content,
+                   size_t source,
+                   const Font& font,
+                   uint16_t id);
+
+/// The same of all glyphs of the font `bytes`.
 void check_strike_alone(const RomContent& content,
-                        const std::vector<uint8_t>& bytes,
-                        const RomStrike& strike);
+                        const std::vector<uint8_t>& bytes);
 
 /// Throws Error if the font of outlines and strikes `bytes` is drawn otherwise
 /// than from its outlines: at all with 1 and 2 bits, by more than 8/255 with 4.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "morph/births.hpp"
 #include "morph/match_loops.hpp"
+#include "morph/morph_look.hpp"
 #include "morph/morph_loop.hpp"
-#include "morph/slits.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
@@ -17,22 +18,17 @@ struct Body {
   std::vector<Loop> holes;
 };
 
-// What a hole becomes: a hole of the other body by its number, or one of these.
-constexpr int kJoined = -1;  // a part of the outer contour, by a cut
-constexpr int kSlit = -2;    // nothing, by way of a slit
-using Fates = std::vector<int>;
+// The hole of the second body that a hole of the first one becomes.
+constexpr size_t kNone = SIZE_MAX;  // it dies
+using Fates = std::vector<size_t>;
 
 using Fars = std::vector<double>;
 const Fars kFewFars_u = {kUsualFar_u, 140, 500, 1000};
 const Fars kMoreFars_u = {60, 80, 110, 180, 350, 700, 1500, 2500};
-constexpr size_t kMostCuts = 16;
-// Trials that are matched with care: some at once, more if none is good.
-constexpr size_t kFewTrials = 10;
-constexpr size_t kMostTrials = 40;
-constexpr size_t kMostRepaired = 12;
-constexpr size_t kMostJudged = 40;
-constexpr int kMostRepairs = 16;
-// More holes become slits.
+constexpr double kSmallAreaError = 0.02;
+constexpr size_t kMostRepaired = 4;
+constexpr int kMostRepairs = 8;
+// Further holes die.
 constexpr size_t kMostHoles = 3;
 
 double priced(const MorphPair& pair) {
@@ -48,22 +44,24 @@ double priced(const MorphPair& pair) {
 struct Plan {
   MorphPair pair;
   MorphQuality quality;
+  int blemishes = -1;  // not known
   double cost = 0;
   // What it came from, to try again.
-  Loop outer[2];
-  double far_u = 0;
+  MatchOptions options;
+  const Fates* fates = nullptr;
 
-  bool is_good() const { return quality.is_within(kGoodAreaError); }
-  bool is_usable() const { return quality.is_within(kMostAreaError); }
+  bool is_good() const { return quality.is_within(kMostAreaError); }
+  bool is_clean() const { return blemishes == 0; }
 };
 
 void judge(Plan& plan) {
   constexpr double kCrossing = 400;
   constexpr double kAreaError = 15000;
   plan.quality = quality_of(plan.pair);
-  plan.cost = priced(plan.pair) +
-              kCrossing * static_cast<double>(plan.quality.crossings.size()) +
-              kAreaError * std::max(0.0, plan.quality.area_error - 0.02);
+  plan.cost =
+      priced(plan.pair) +
+      kCrossing * static_cast<double>(plan.quality.crossings.size()) +
+      kAreaError * std::max(0.0, plan.quality.area_error - kSmallAreaError);
 }
 
 void judge_thickness(Plan& plan) {
@@ -75,15 +73,83 @@ bool is_better(const Plan& a, const Plan& b) {
   if (a.is_good() != b.is_good()) {
     return a.is_good();
   }
-  return a.is_usable() != b.is_usable() ? a.is_usable() : a.cost < b.cost;
+  return a.is_clean() != b.is_clean() ? a.is_clean() : a.cost < b.cost;
 }
 
-double perimeter_of(const Loop& loop) {
-  double sum = 0;
-  for (const LoopEdge& edge : loop) {
-    sum += length_of(edge.p);
+// The earliest step at which a contour may be born without crossing another
+// one, and is no speck at the least size.
+int birth_step(const MorphPair& pair, size_t contour, double area_u2) {
+  // Two pixels at 24 px/em.
+  constexpr double kSpeck_u2 = 2 * (kUPerEm / 24) * (kUPerEm / 24);
+  constexpr int kFirstStep = 2;
+  constexpr int kLastStep = 12;
+  int step = kFirstStep;
+  while (step < kLastStep &&
+         area_u2 * (step + 1) * (step + 1) < kSpeck_u2 * kBirths * kBirths) {
+    ++step;
   }
-  return sum;
+  static_assert(kBirths == kMorphSteps, "crossings are known of each birth");
+  for (const MorphCrossing& crossing : quality_of(pair).crossings) {
+    if (crossing.contour[0] == contour || crossing.contour[1] == contour) {
+      const int since = pair.contours[contour].missing == 0
+                            ? crossing.step
+                            : kMorphSteps - crossing.step;
+      step = std::max(step, std::min(since, kLastStep));
+    }
+  }
+  return step;
+}
+
+// Contours that are born swell until the area is right.
+MorphQuality swell(MorphPair& pair) {
+  MorphPair trial = pair;
+  MorphQuality best = quality_of(pair);
+  for (int swell = 1; swell < kSwells && best.area_error > kSmallAreaError;
+       ++swell) {
+    for (MorphContour& contour : trial.contours) {
+      contour.swell = contour.missing < 0 ? 0 : swell;
+    }
+    MorphQuality quality = quality_of(trial);
+    if (quality.crossings.size() <= best.crossings.size() &&
+        quality.area_error < best.area_error) {
+      best = std::move(quality);
+      pair = trial;
+    }
+  }
+  return best;
+}
+
+// Adds a contour that the outline number `missing` lacks: born where it crosses
+// least, and keeps the area. False: there is no room.
+bool add_born(const Loop& loop,
+              const std::vector<Loop>& glyph,
+              int missing,
+              MorphPair& pair) {
+  const double area_u2 = std::abs(area_of(loop));
+  size_t crossings = SIZE_MAX;
+  double area_error = kInfinity;
+  MorphPair best;
+  for (const MorphContour& born : births_of(loop, glyph, missing)) {
+    MorphPair with = pair;
+    with.contours.push_back(born);
+    const size_t last = with.contours.size() - 1;
+    with.contours[last].birth = birth_step(with, last, area_u2);
+    const MorphQuality quality = swell(with);
+    const double error = std::max(quality.area_error, kSmallAreaError);
+    if (quality.crossings.size() < crossings ||
+        (quality.crossings.size() == crossings && error < area_error)) {
+      crossings = quality.crossings.size();
+      area_error = error;
+      best = std::move(with);
+    }
+    if (crossings == 0 && area_error == kSmallAreaError) {
+      break;
+    }
+  }
+  if (crossings != SIZE_MAX) {
+    pair = std::move(best);
+  }
+  return crossings != SIZE_MAX;
 }
 
 // Tries all fates of the holes of two bodies.
@@ -93,211 +159,119 @@ class BodyMorph {
     for (size_t k = 0; k < 2; ++k) {
       loops_[k] = bodies_[k]->holes;
       loops_[k].insert(loops_[k].begin(), bodies_[k]->outer);
-      fates_[k].assign(bodies_[k]->holes.size(), kSlit);
     }
     for (const Loop& first : a.holes) {
       for (const Loop& second : b.holes) {
         matches_.push_back(match_loops(first, second, {}));
       }
     }
+    fates_.assign(a.holes.size(), kNone);
+    choose(0);
   }
 
   // The best plan first.
   std::vector<Plan> find() {
-    choose_first(0);
-    std::stable_sort(
-        trials_.begin(), trials_.end(),
-        [](const Trial& a, const Trial& b) { return a.cost < b.cost; });
-    const auto has_good = [this] {
-      return std::any_of(plans_.begin(), plans_.end(),
-                         [](const Plan& plan) { return plan.is_good(); });
-    };
-    for (size_t i = 0; i < trials_.size() && i < kMostTrials; ++i) {
-      if (i % kFewTrials == 0 && has_good()) {
-        break;
+    const std::pair<const Fars&, int> kTries[] = {
+        {kFewFars_u, 4}, {kMoreFars_u, 4}, {kFewFars_u, 8}};
+    for (const auto& [fars_u, parts] : kTries) {
+      for (const double far_u : fars_u) {
+        plan(far_u, parts);
       }
-      plan(trials_[i], kFewFars_u);
-    }
-    for (size_t i = 0; i < trials_.size() && i < kFewTrials; ++i) {
-      if (has_good()) {
-        break;
+      if (look()) {
+        return take();
       }
-      plan(trials_[i], kMoreFars_u);
     }
     std::stable_sort(plans_.begin(), plans_.end(), is_better);
-    if (!has_good()) {
-      repair();
-      std::stable_sort(plans_.begin(), plans_.end(), is_better);
+    repair();
+    look();
+    return take();
+  }
+
+ private:
+  const Loop& hole(size_t body, size_t i) const {
+    return bodies_[body]->holes[i];
+  }
+  const LoopMatch& match_of(size_t first, size_t second) const {
+    return matches_[first * bodies_[1]->holes.size() + second];
+  }
+  bool is_taken(size_t second) const {
+    return std::find(fates_.begin(), fates_.end(), second) != fates_.end();
+  }
+
+  // Rather a hole that moves than one that dies and one that is born.
+  void choose(size_t i) {
+    const size_t holes[] = {fates_.size(), bodies_[1]->holes.size()};
+    if (i == holes[0]) {
+      const auto dead =
+          static_cast<size_t>(std::count(fates_.begin(), fates_.end(), kNone));
+      if (holes[0] - dead == std::min({holes[0], holes[1], kMostHoles})) {
+        all_fates_.push_back(fates_);
+      }
+      return;
     }
-    plans_.resize(std::min(plans_.size(), kMostJudged));
+    choose(i + 1);
+    for (size_t k = 0; k < holes[1] && i < kMostHoles && k < kMostHoles; ++k) {
+      if (!is_taken(k)) {
+        fates_[i] = k;
+        choose(i + 1);
+        fates_[i] = kNone;
+      }
+    }
+  }
+
+  // Whether a good plan shows no blemish.
+  bool look() {
+    bool is_clean = false;
     for (Plan& plan : plans_) {
-      judge_thickness(plan);
+      if (plan.is_good() && plan.blemishes < 0) {
+        plan.blemishes = blemished_frames(plan.pair);
+        judge_thickness(plan);
+      }
+      is_clean = is_clean || plan.is_clean();
     }
+    return is_clean;
+  }
+
+  std::vector<Plan> take() {
     std::stable_sort(plans_.begin(), plans_.end(), is_better);
     return std::move(plans_);
   }
 
- private:
-  // Fates of all holes, and the outer contours with those that are joined.
-  struct Trial {
-    Fates fates[2];
-    Loop outer[2];
-    double cost = 0;  // roughly
-  };
-
-  const Loop& hole(size_t body, size_t i) const {
-    return bodies_[body]->holes[i];
-  }
-  const LoopMatch& match_of(size_t first, int second) const {
-    return matches_[first * bodies_[1]->holes.size() +
-                    static_cast<size_t>(second)];
-  }
-
-  size_t count_of(int fate, size_t body) const {
-    return static_cast<size_t>(
-        std::count(fates_[body].begin(), fates_[body].end(), fate));
-  }
-
-  void choose_first(size_t i) {
-    if (i == fates_[0].size()) {
-      std::fill(fates_[1].begin(), fates_[1].end(), kJoined);
-      for (size_t k = 0; k < i; ++k) {
-        if (fates_[0][k] >= 0) {
-          fates_[1][static_cast<size_t>(fates_[0][k])] = static_cast<int>(k);
-        }
-      }
-      choose_second(0);
-      return;
-    }
-    const auto count = static_cast<int>(std::min(fates_[1].size(), kMostHoles));
-    const int last = i < kMostHoles ? count : kSlit + 1;
-    for (int fate = kSlit; fate < last; ++fate) {
-      const auto end = fates_[0].begin() + static_cast<ptrdiff_t>(i);
-      if (fate < 0 || std::find(fates_[0].begin(), end, fate) == end) {
-        fates_[0][i] = fate;
-        choose_first(i + 1);
-      }
-    }
-  }
-
-  void choose_second(size_t i) {
-    if (i == fates_[1].size()) {
-      // Rather one hole that moves than two slits.
-      if (count_of(kSlit, 0) * count_of(kSlit, 1) == 0) {
-        add_trials();
-      }
-      return;
-    }
-    if (fates_[1][i] >= 0) {
-      choose_second(i + 1);
-      return;
-    }
-    for (const int fate : {kSlit, kJoined}) {
-      if (fate == kSlit || i < kMostHoles) {
-        fates_[1][i] = fate;
-        choose_second(i + 1);
-      }
-    }
-    fates_[1][i] = kJoined;
-  }
-
-  // The outer contours with the holes that are joined to them, by many cuts.
-  void add_trials() {
-    std::vector<Trial> all(1);
-    Trial& first = all.front();
-    double holes = 0;
-    for (size_t k = 0; k < 2; ++k) {
-      first.fates[k] = fates_[k];
-      first.outer[k] = bodies_[k]->outer;
-      for (size_t i = 0; i < fates_[k].size(); ++i) {
-        if (fates_[k][i] == kSlit) {
-          holes += 2 * perimeter_of(hole(k, i));
-        } else if (k == 0 && fates_[k][i] >= 0) {
-          holes += match_of(i, fates_[k][i]).cost;
-        }
-      }
-    }
-    MatchOptions quick;
-    quick.parts = 1;
-    first.cost = match_loops(first.outer[0], first.outer[1], quick).cost;
-    for (size_t k = 0; k < 2; ++k) {
-      for (size_t i = 0; i < fates_[k].size(); ++i) {
-        if (fates_[k][i] != kJoined) {
-          continue;
-        }
-        std::vector<Trial> next;
-        for (const Trial& trial : all) {
-          for (const Bridge& bridge :
-               bridges_between(trial.outer[k], hole(k, i))) {
-            Trial made = trial;
-            made.outer[k] = joined(trial.outer[k], hole(k, i), bridge);
-            made.cost = match_loops(made.outer[0], made.outer[1], quick).cost;
-            next.push_back(std::move(made));
-          }
-        }
-        std::stable_sort(
-            next.begin(), next.end(),
-            [](const Trial& a, const Trial& b) { return a.cost < b.cost; });
-        next.resize(std::min(next.size(), kMostCuts));
-        all = std::move(next);
-      }
-    }
-    for (Trial& trial : all) {
-      trial.cost += holes;
-      trials_.push_back(std::move(trial));
-    }
-  }
-
-  void plan(const Trial& trial, const Fars& fars_u) {
-    for (const double far_u : fars_u) {
+  void plan(double far_u, int parts) {
+    MatchOptions options;
+    options.far_u = far_u;
+    options.parts = parts;
+    const MorphContour outer =
+        match_loops(bodies_[0]->outer, bodies_[1]->outer, options).contour;
+    for (const Fates& fates : all_fates_) {
       Plan plan;
-      plan.outer[0] = trial.outer[0];
-      plan.outer[1] = trial.outer[1];
-      plan.far_u = far_u;
-      MatchOptions options;
-      options.far_u = far_u;
-      std::vector<MorphContour>& contours = plan.pair.contours;
-      contours.push_back(
-          match_loops(trial.outer[0], trial.outer[1], options).contour);
-      for (size_t i = 0; i < trial.fates[0].size(); ++i) {
-        if (trial.fates[0][i] >= 0) {
-          contours.push_back(match_of(i, trial.fates[0][i]).contour);
-        }
-      }
-      if (open_slits(trial, plan.pair)) {
+      plan.options = options;
+      plan.fates = &fates;
+      plan.pair.contours = {outer};
+      if (add_holes(plan)) {
         judge(plan);
         plans_.push_back(std::move(plan));
       }
     }
   }
 
-  // Holes that open as slits: those that cross least. False: there is no room.
-  bool open_slits(const Trial& trial, MorphPair& pair) const {
-    for (size_t k = 0; k < 2; ++k) {
-      for (size_t i = 0; i < trial.fates[k].size(); ++i) {
-        if (trial.fates[k][i] != kSlit) {
-          continue;
-        }
-        const auto slits =
-            slits_for(hole(k, i), loops_[1 - k], static_cast<int>(1 - k));
-        size_t least = SIZE_MAX;
-        MorphPair best;
-        for (const MorphContour& slit : slits) {
-          MorphPair with = pair;
-          with.contours.push_back(slit);
-          const size_t crossings = quality_of(with).crossings.size();
-          if (crossings < least) {
-            least = crossings;
-            best = std::move(with);
-          }
-          if (least == 0) {
-            break;
-          }
-        }
-        if (least == SIZE_MAX) {
-          return false;
-        }
-        pair = std::move(best);
+  // False: there is no room for holes that are born.
+  bool add_holes(Plan& plan) const {
+    const Fates& fates = *plan.fates;
+    for (size_t i = 0; i < fates.size(); ++i) {
+      if (fates[i] != kNone) {
+        plan.pair.contours.push_back(match_of(i, fates[i]).contour);
+      }
+    }
+    for (size_t i = 0; i < fates.size(); ++i) {
+      if (fates[i] == kNone && !add_born(hole(0, i), loops_[1], 1, plan.pair)) {
+        return false;
+      }
+    }
+    for (size_t i = 0; i < bodies_[1]->holes.size(); ++i) {
+      if (std::find(fates.begin(), fates.end(), i) == fates.end() &&
+          !add_born(hole(1, i), loops_[0], 0, plan.pair)) {
+        return false;
       }
     }
     return true;
@@ -309,8 +283,7 @@ class BodyMorph {
     const size_t count = std::min(plans_.size(), kMostRepaired);
     for (size_t i = 0; i < count; ++i) {
       Plan plan = plans_[i];
-      MatchOptions options;
-      options.far_u = plan.far_u;
+      MatchOptions options = plan.options;
       for (int round = 0; round < kMostRepairs && !plan.is_good(); ++round) {
         for (const MorphCrossing& crossing : plan.quality.crossings) {
           for (size_t k = 0; k < 2; ++k) {
@@ -325,8 +298,11 @@ class BodyMorph {
         if (plan.quality.crossings.empty()) {
           break;  // the area is wrong, not the stops
         }
-        plan.pair.contours[0] =
-            match_loops(plan.outer[0], plan.outer[1], options).contour;
+        plan.pair.contours = {
+            match_loops(bodies_[0]->outer, bodies_[1]->outer, options).contour};
+        if (!add_holes(plan)) {
+          break;
+        }
         judge(plan);
         if (is_better(plan, plans_[i])) {
           plans_[i] = plan;
@@ -338,8 +314,8 @@ class BodyMorph {
   const Body* bodies_[2];
   std::vector<Loop> loops_[2];      // the outer contour first
   std::vector<LoopMatch> matches_;  // of each hole with each
-  Fates fates_[2];
-  std::vector<Trial> trials_;
+  Fates fates_;
+  std::vector<Fates> all_fates_;
   std::vector<Plan> plans_;
 };
 
@@ -486,7 +462,8 @@ Morph morph_bodies(const std::vector<Body>& first,
   double cost = 0;
   for (size_t i = 0; i < first.size(); ++i) {
     std::vector<Plan> plans = BodyMorph(first[i], second[i]).find();
-    if (plans.empty() || !plans.front().is_usable()) {
+    if (plans.empty() || !plans.front().is_good() ||
+        !plans.front().is_clean()) {
       return {};
     }
     cost += plans.front().cost;

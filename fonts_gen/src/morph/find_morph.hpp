@@ -9,15 +9,14 @@
 
 namespace inkcell::gen {
 
-/// Morphs whose area deviates by less are preferred, see MorphQuality.
-inline constexpr double kGoodAreaError = 0.03;
-/// Morphs whose area deviates by more are refused.
-inline constexpr double kMostAreaError = 0.08;
+/// Morphs whose area deviates by more are refused: in the numbers of the device
+/// it stays within 5 %.
+inline constexpr double kMostAreaError = 0.045;
 
-/// Pairs the contours of two outlines of lines and quadratics. Contours of one
-/// outline only are joined to their neighbours across a stroke, or holes open
-/// as a slit: whichever travels less, keeps the area, and does not thicken
-/// strokes.
+/// Pairs the contours of two outlines of lines and quadratics. A hole of one
+/// outline only is born at a point inside strokes of the other; no stroke is
+/// cut. Of all ways that which travels less, keeps the area, and does not
+/// thicken strokes.
 ///
 /// None: no way was found on which no contour crosses another or itself, and
 /// the area deviates by kMostAreaError at most.

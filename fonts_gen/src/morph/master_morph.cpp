@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "morph/find_morph.hpp"
 #include "morph/match_loops.hpp"
 #include "morph/morph_check.hpp"
 #include "morph/morph_loop.hpp"
@@ -180,7 +179,7 @@ double slip_of(const MorphContour& contour) {
 
 bool is_good(const MorphPair& pair) {
   const MorphQuality quality = quality_of(pair);
-  return quality.is_within(kGoodAreaError);
+  return quality.is_within(kMostMasterAreaError);
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace inkcell::gen {
 
+/// Morphs of masters whose area deviates by more are refused.
+inline constexpr double kMostMasterAreaError = 0.03;
+
 /// Pairs `first` with `second`: outlines of lines and quadratics that were
 /// fitted to two masters of one glyph. The points of the masters correspond by
 /// their numbers, so the place on the first master says where each piece of
@@ -15,7 +18,7 @@ namespace inkcell::gen {
 ///
 /// None: the masters differ in their numbers of contours or points, the
 /// outlines in their numbers of contours, a contour crosses another or itself
-/// on the way, or the area deviates by more than kGoodAreaError.
+/// on the way, or the area deviates by more than kMostMasterAreaError.
 std::optional<MorphPair> find_master_morph(const Outline& first,
                                            const Outline& second,
                                            const Outline (&masters)[2]);

@@ -205,8 +205,8 @@ class Matcher {
       const size_t at = (i + start) % n;
       const size_t count = std::min(advances_[k][at].size(), n - i + 1);
       for (size_t x = 1; x < count; ++x) {
-        rest_[k][i] = std::min(
-            rest_[k][i], least_[k][at * most_[k] + x] + rest_[k][i + x]);
+        rest_[k][i] = std::min(rest_[k][i],
+                               least_[k][at * most_[k] + x] + rest_[k][i + x]);
       }
     }
   }

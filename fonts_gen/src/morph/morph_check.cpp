@@ -26,24 +26,28 @@ bool is_cut(const MorphPiece& piece, size_t side) {
   return piece.side[side].move == MorphMove::jump;
 }
 
-// A point of a piece at a progress: slits lengthen, cuts open late and close
-// early. `other` has the same point, or is the piece itself.
-Point placed(const MorphContour& contour,
-             const MorphPiece& piece,
+// A point of a piece at a progress: cuts open late and close early. `other` has
+// the same point, or is the piece itself.
+Point placed(const MorphPiece& piece,
              const MorphPiece& other,
              size_t i,
              double progress) {
-  Point p[2];
-  for (size_t side = 0; side < 2; ++side) {
-    p[side] = piece.side[side].p[i];
-    if (contour.missing == static_cast<int>(side)) {
-      const double since = side == 0 ? progress : 1 - progress;
-      p[side] = mixed(contour.slit_middle, p[side], slit_length(since));
-    }
-  }
-  return mixed(p[0], p[1],
+  return mixed(piece.side[0].p[i], piece.side[1].p[i],
                cut_progress(progress, is_cut(piece, 0) || is_cut(other, 0),
                             is_cut(piece, 1) || is_cut(other, 1)));
+}
+
+// About the middle of the box of the joints, one of `chords` points each.
+void resize(std::vector<Point>& polygon, size_t chords, double size) {
+  Point low = polygon.front();
+  Point high = low;
+  for (size_t i = 0; i < polygon.size(); i += chords) {
+    low = {std::min(low.x, polygon[i].x), std::min(low.y, polygon[i].y)};
+    high = {std::max(high.x, polygon[i].x), std::max(high.y, polygon[i].y)};
+  }
+  for (Point& point : polygon) {
+    point = mixed(middle(low, high), point, size);
+  }
 }
 
 bool cross_each_other(const Chord& s, const Chord& t) {
@@ -74,6 +78,7 @@ double area_of(const MorphPolygons& polygons) {
 
 void add_crossings(const MorphPolygons& polygons,
                    int chords,
+                   int step,
                    std::vector<MorphCrossing>& out) {
   std::vector<Chord> all;
   for (size_t c = 0; c < polygons.size(); ++c) {
@@ -95,8 +100,9 @@ void add_crossings(const MorphPolygons& polygons,
   for (size_t i = 0; i < all.size(); ++i) {
     for (size_t j = i + 1; j < all.size(); ++j) {
       if (cross_each_other(all[i], all[j])) {
-        out.push_back(
-            {{all[i].contour, all[j].contour}, {all[i].piece, all[j].piece}});
+        out.push_back({step,
+                       {all[i].contour, all[j].contour},
+                       {all[i].piece, all[j].piece}});
       }
     }
   }
@@ -162,12 +168,16 @@ MorphPolygons morph_polygons(const MorphPair& pair,
       const MorphPiece& piece = contour.pieces[k];
       const MorphPiece& last = contour.pieces[(k + n - 1) % n];
       const MorphPiece& next = contour.pieces[(k + 1) % n];
-      const Point p[3] = {placed(contour, piece, last, 0, progress),
-                          placed(contour, piece, piece, 1, progress),
-                          placed(contour, piece, next, 2, progress)};
+      const Point p[3] = {placed(piece, last, 0, progress),
+                          placed(piece, piece, 1, progress),
+                          placed(piece, next, 2, progress)};
       for (int i = 0; i < chords; ++i) {
         polygon.push_back(point_at(p, static_cast<double>(i) / chords));
       }
+    }
+    const double size = born_size(contour, progress);
+    if (size != 1) {
+      resize(polygon, static_cast<size_t>(chords), size);
     }
     out.push_back(std::move(polygon));
   }
@@ -179,22 +189,21 @@ MorphQuality quality_of(const MorphPair& pair) {
   MorphQuality quality;
   quality.is_torn = is_torn(pair);
   std::vector<double> areas;
-  for (int i = 0; i <= kMorphSteps; ++i) {
+  // Half of the steps between, too: contours are half born there.
+  for (int i = 0; i <= 2 * kMorphSteps; ++i) {
     const MorphPolygons polygons =
-        morph_polygons(pair, static_cast<double>(i) / kMorphSteps, kChords);
+        morph_polygons(pair, i / (2.0 * kMorphSteps), kChords);
     areas.push_back(area_of(polygons));
-    if (i != 0 && i != kMorphSteps) {
-      add_crossings(polygons, kChords, quality.crossings);
+    if (i % 2 == 0 && i != 0 && i != 2 * kMorphSteps) {
+      add_crossings(polygons, kChords, i / 2, quality.crossings);
     }
   }
-  const double sign = areas.back() >= areas.front() ? 1 : -1;
-  double top = -kInfinity;
+  const auto [least, most] = std::minmax(areas.front(), areas.back());
   for (const double area : areas) {
-    top = std::max(top, sign * area);
-    quality.area_error = std::max(quality.area_error, top - sign * area);
+    quality.area_error =
+        std::max({quality.area_error, least - area, area - most});
   }
-  quality.area_error /=
-      std::max({std::abs(areas.front()), std::abs(areas.back()), 1.0});
+  quality.area_error /= std::max(most, 1.0);
   return quality;
 }
 

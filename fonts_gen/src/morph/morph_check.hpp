@@ -19,14 +19,14 @@ inline constexpr int kMorphSteps = 16;
 
 /// Pieces that cross on the way.
 struct MorphCrossing {
+  int step;
   size_t contour[2];
   size_t piece[2];
 };
 
 struct MorphQuality {
   std::vector<MorphCrossing> crossings;  // of all steps between the ends
-  /// The most that the area falls on its way up, or rises on its way down, of
-  /// the greater area.
+  /// How far the area leaves those of the ends, of the greater one.
   double area_error = 0;
   /// One side of a cut of both glyphs is a cut of both, the other is not: the
   /// device, which draws neither while a cut is closed, would tear the contour.

@@ -7,7 +7,7 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr int kChords = 5;
+constexpr int kChordsOfEdge = 5;
 
 Point blossom(const Point (&p)[3], double s, double t) {
   const auto mix = [](const Point& a, const Point& b, double at) {
@@ -189,8 +189,8 @@ double area_of(const Loop& loop) {
   double twice = 0;
   for (const LoopEdge& edge : loop) {
     Point last = edge.p[0];
-    for (int i = 1; i <= kChords; ++i) {
-      const Point next = point_at(edge.p, i / double{kChords});
+    for (int i = 1; i <= kChordsOfEdge; ++i) {
+      const Point next = point_at(edge.p, i / double{kChordsOfEdge});
       twice += cross(last, next);
       last = next;
     }
@@ -203,8 +203,8 @@ Point centroid_of(const Loop& loop) {
   Point sum;
   for (const LoopEdge& edge : loop) {
     Point last = edge.p[0];
-    for (int i = 1; i <= kChords; ++i) {
-      const Point next = point_at(edge.p, i / double{kChords});
+    for (int i = 1; i <= kChordsOfEdge; ++i) {
+      const Point next = point_at(edge.p, i / double{kChordsOfEdge});
       const double weight = cross(last, next);
       twice += weight;
       sum = sum + weight / 3 * (last + next);

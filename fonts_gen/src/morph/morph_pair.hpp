@@ -17,11 +17,10 @@ struct MorphStop {
 
 /// What a side of a piece does.
 enum class MorphMove {
-  to_end,    // to the end of the segment
-  stay,      // nothing
-  to_stop,   // to `eighth` of the segment
-  jump,      // along a line to `target`
-  fraction,  // along a slit, to `eighth` of it
+  to_end,   // to the end of the segment
+  stay,     // nothing
+  to_stop,  // to `eighth` of the segment
+  jump,     // along a line to `target`
 };
 
 /// A line or a quadratic curve of one glyph, and how it is reached.
@@ -38,13 +37,19 @@ struct MorphPiece {
   int stop[2] = {0, 0};  // where it begins in the match
 };
 
-/// A closed contour on its way. Where a glyph has no such contour, the contour
-/// lies there on a slit: the line between the middles of two chords.
+/// The time in which a contour is born, and the unit of its beginning.
+inline constexpr int kBirths = 16;  // of the whole time
+inline constexpr int kSwells = 4;   // of its size
+
+/// A closed contour on its way. Where a glyph has no such contour, all of its
+/// pieces lie at a point there: the middle of a chord.
 struct MorphContour {
   int missing = -1;    // the glyph that lacks it; -1: none
   MorphStop start[2];  // where the pieces begin
-  MorphStop slit[4];   // the ends of two chords, of the glyph that lacks it
-  Point slit_middle;   // [u]
+  MorphStop chord[2];  // of the glyph that lacks it
+  int birth = 0;       // before it, the contour does not show [1/kBirths]
+  int swell = 0;       // how much larger it is half-way, so that the area of
+                       // the ink stays [1/kSwells]
   std::vector<MorphPiece> pieces;
 };
 
@@ -52,10 +57,15 @@ struct MorphPair {
   std::vector<MorphContour> contours;  // none: both glyphs are blank
 };
 
-/// A slit lengthens in the first quarter of the time. `progress`: from the
-/// glyph that lacks the contour.
-inline double slit_length(double progress) {
-  return progress < 0.25 ? 4 * progress : 1;
+/// How large a contour is that is born, beside one that travels evenly: it
+/// grows about the middle of the box of its joints.
+inline double born_size(const MorphContour& contour, double progress) {
+  if (contour.missing < 0) {
+    return 1;
+  }
+  const double since = contour.missing == 0 ? progress : 1 - progress;
+  return std::clamp(kBirths * since - contour.birth, 0.0, 1.0) *
+         (1 + 4 * since * (1 - since) * contour.swell / kSwells);
 }
 
 /// The progress of the ends of a cut: one that opens in the first glyph waits

@@ -61,9 +61,6 @@ class RecordWriter {
         put(7, 3);
         put_stop(side.target, glyph);
         return;
-      case MorphMove::fraction:
-        put_eighth(side.eighth);
-        return;
     }
   }
 
@@ -82,14 +79,18 @@ class RecordWriter {
         put_stop(contour.start[glyph], glyph);
         continue;
       }
-      for (const MorphStop& stop : contour.slit) {
+      for (const MorphStop& stop : contour.chord) {
         put_stop(stop, glyph);
       }
-      put_eighth(contour.pieces.back().side[glyph].eighth);
+      put(static_cast<unsigned>(contour.birth), morphs::kBirthBits);
+      put(static_cast<unsigned>(contour.swell), morphs::kSwellBits);
     }
     for (const MorphPiece& piece : contour.pieces) {
-      put_side(piece.side[0], 0);
-      put_side(piece.side[1], 1);
+      for (size_t glyph = 0; glyph < 2; ++glyph) {
+        if (contour.missing != static_cast<int>(glyph)) {
+          put_side(piece.side[glyph], glyph);
+        }
+      }
     }
   }
 

@@ -35,6 +35,17 @@ GlyphMetrics box_in_font_units(const Box& box, int units_per_em) {
   return m;
 }
 
+// Forms of one colour are exact up to here: displays of few levels are small.
+constexpr double kMostFormPx = 32;
+
+void aim_at_form(RefitOptions& refit, Target& target) {
+  const double most = std::max(target.min_px, kMostFormPx);
+  if (target.max_px > most) {
+    refit.tolerance_u *= target.max_px / most;
+    target.max_px = most;
+  }
+}
+
 LoopOptions loop_options(const Target& options) {
   LoopOptions loop;
   loop.min_px = static_cast<int>(options.min_px);
@@ -71,9 +82,13 @@ void build_field(const Shape& shape, const Target& options, BuiltGlyph& built) {
 
 void build_outline(const Outline& source,
                    const Shape& shape,
-                   const RefitOptions& refit,
-                   const Target& options,
+                   RefitOptions refit,
+                   Target options,
+                   bool is_form,
                    BuiltGlyph& built) {
+  if (is_form) {
+    aim_at_form(refit, options);
+  }
   RefittedGlyph glyph = refit_glyph(source, shape, built.glyph.metrics, refit,
                                     loop_options(options));
   built.glyph.outline = std::move(glyph.outline);
@@ -132,10 +147,12 @@ BuiltGlyph build_glyph(const SourceFont& font,
   try {
     const Shape shape(glyph.outline);
     if (!shape.empty()) {
-      built.glyph.metrics =
-          box_in_font_units(shape.box(), font.metrics.units_per_em);
+      built.glyph.metrics = box_in_font_units(
+          glyph.layers.empty() ? shape.box() : glyph.layers_box,
+          font.metrics.units_per_em);
       if (options.coding == Coding::outline) {
-        build_outline(glyph.outline, shape, refit, options, built);
+        build_outline(glyph.outline, shape, refit, options,
+                      !glyph.layers.empty(), built);
       } else {
         build_field(shape, options, built);
       }
@@ -330,7 +347,7 @@ RomContent build_content(SourceFont& font,
   }
   if (request.target.coding == Coding::outline) {
     content.outlines.grid_shift = refit.grid_shift;
-    if (request.paged != 0) {
+    if (request.paged != 0 && !request.strike_only) {
       // The resident part holds the code, and no record leaves its page.
       content.block_bytes = static_cast<size_t>(request.paged);
       content.outlines.most_entries = 64;
@@ -352,6 +369,13 @@ RomContent build_content(SourceFont& font,
   if (request.hints && request.target.coding == Coding::outline &&
       has_outlines) {
     content.hints = find_hints(content, request.threads);
+    // Layers move together, so none of them is fitted.
+    for (size_t i = 0; i < content.hints.glyphs.size(); ++i) {
+      const SourceGlyph& glyph = font.glyphs[i];
+      if (!glyph.layers.empty() || !glyph.layer_of.empty()) {
+        content.hints.glyphs[i] = {};
+      }
+    }
     drop_harmful_hints(content, request.threads);
   }
   return content;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace inkcell::gen {
 
@@ -50,30 +51,26 @@ bool has_only(const std::vector<char32_t>& code_points, const CharSet& added) {
                      [&added](char32_t c) { return added.count(c) != 0; });
 }
 
-// The errors of all glyphs, size by size.
+// The errors of all glyphs, size by size. Forms of one colour are measured at
+// the smaller ones alone.
 std::vector<SizeError> sum_of_sizes(const std::vector<GlyphErrors>& glyphs,
                                     LoopResult GlyphErrors::*kind) {
-  std::vector<SizeError> sum;
-  size_t count = 0;
+  std::map<int, std::pair<SizeError, int>> sums;  // by px, and of how many
   for (const GlyphErrors& errors : glyphs) {
-    const LoopResult& glyph = errors.*kind;
-    if (glyph.sizes.empty()) {
-      continue;
-    }
-    ++count;
-    if (sum.empty()) {
-      sum = glyph.sizes;
-      continue;
-    }
-    for (size_t i = 0; i < sum.size(); ++i) {
-      sum[i].worst = std::max(sum[i].worst, glyph.sizes[i].worst);
-      sum[i].mean += glyph.sizes[i].mean;
+    for (const SizeError& size : (errors.*kind).sizes) {
+      auto& [sum, count] = sums[size.px];
+      sum.px = size.px;
+      sum.worst = std::max(sum.worst, size.worst);
+      sum.mean += size.mean;
+      ++count;
     }
   }
-  for (SizeError& size : sum) {
-    size.mean /= static_cast<double>(count);
+  std::vector<SizeError> sizes;
+  for (const auto& [px, sum] : sums) {
+    sizes.push_back(sum.first);
+    sizes.back().mean /= sum.second;
   }
-  return sum;
+  return sizes;
 }
 
 double largest_mean(const std::vector<SizeError>& sizes) {
@@ -112,6 +109,9 @@ FontReport make_report(const SourceFont& font,
   report.added.assign(font.added.begin(), font.added.end());
   report.icons = font.icons;
   report.faces = font.faces;
+  report.layer_lists = content.layers.glyphs.size();
+  report.layer_outlines = font.layer_count;
+  report.colours = font.palettes.empty() ? 0 : font.palettes[0].size();
   for (const RomStrike& strike : content.strikes) {
     report.strikes.push_back(strike.target);
   }

@@ -58,6 +58,9 @@ struct FontReport {
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;
   std::vector<StrikeTarget> strikes;
+  size_t layer_lists = 0;     // glyphs of several colours
+  size_t layer_outlines = 0;  // that they share
+  size_t colours = 0;         // of a palette
   size_t characters = 0;
   size_t masters = 0;       // glyphs that are second masters
   size_t master_bytes = 0;  // of their records

@@ -12,13 +12,6 @@ namespace {
 
 using format::StrikeFit;
 
-// Units per pixel of a font of strikes alone: one, or two for halves, or as
-// many as an em needs.
-int units_per_px(int px, int parts) {
-  constexpr int kLeastUnitsPerEm = 16;
-  return parts * ((kLeastUnitsPerEm + parts * px - 1) / (parts * px));
-}
-
 // The glyphs that text may show, which come before components and second
 // masters.
 size_t count_shown(const SourceFont& font) {
@@ -41,7 +34,8 @@ KerningMatrix scaled(KerningMatrix kerning, double scale) {
 RomContent alone(const RomContent& content, const DrawnStrike& drawn) {
   const RomStrike& strike = drawn.strike;
   const int px = strike.target.px;
-  const int unit = units_per_px(px, drawn.is_whole ? 1 : 2);
+  // Advances that are not fitted are kept in halves of a pixel.
+  const int unit = drawn.is_whole ? 1 : 2;
   const double scale =
       static_cast<double>(unit) * px / content.metrics.units_per_em;
   // Lines stand on whole pixels, and so do fitted glyphs.
@@ -135,9 +129,10 @@ void add_strikes(const GenerateRequest& request,
         draw_strike(font, content, outlines, target, count_shown(font));
     RomContent made = alone(content, drawn);
     strikes.push_back(drawn.strike);
-    check_strike_alone(made, write_rom_font(made, parts), strikes.back());
+    check_strike_alone(made, write_rom_font(made, parts));
     if (is_alone) {
       check_room(font, drawn);
+      made.block_bytes = static_cast<size_t>(request.paged);
       content = std::move(made);
       return;
     }

@@ -12,6 +12,7 @@
 #include "pipeline/font_morphs.hpp"
 #include "pipeline/font_shaping.hpp"
 #include "pipeline/font_strikes.hpp"
+#include "pipeline/layers.hpp"
 #include "pipeline/missing.hpp"
 #include "pipeline/unshaped.hpp"
 #include "rom/paged_font.hpp"
@@ -134,13 +135,12 @@ SourceFont load_all(const GenerateRequest& request,
   if (!is_pixel && pixels.empty()) {
     return load_faces(first, outlines, lines, request.threads, warnings);
   }
-  if (!lines.empty() || request.paged != 0 || !request.morphs.empty() ||
+  if (!lines.empty() || !request.morphs.empty() ||
       has_second_master(request.axes) ||
       request.target.coding != Coding::outline) {
     throw Error(
         "bitmap fonts have neither outlines nor shaping: leave --coding, "
-        "--strings, --morph, --paged and --axis with two values out, or those "
-        "fonts");
+        "--strings, --morph and --axis with two values out, or those fonts");
   }
   SourceFont font =
       is_pixel ? load_pixel_font(first, warnings)
@@ -160,6 +160,7 @@ SourceFont load_all(const GenerateRequest& request,
     more.instance = outlines[0].instance;
     more.axes = outlines[0].axes;
     more.with_components = true;
+    more.has_colours = first.has_colours;
     more.characters = rest_of(outlines[0].characters, asked, font);
     outlines.erase(outlines.begin());
     if (!more.characters.empty()) {
@@ -175,7 +176,7 @@ SourceFont load_source(const GenerateRequest& request,
                        AskedCharacters& asked,
                        Warnings& warnings) {
   const std::vector<IconFile> icons =
-      find_icons(request.svg_files, request.svg_folders);
+      find_icons(request.svg_files, request.svg_folders, shapes_emoji(request));
   SourceFont font;
   FontRequest first;
   if (request.font.empty()) {
@@ -190,18 +191,21 @@ SourceFont load_source(const GenerateRequest& request,
     if (!request.shapes.empty()) {
       first.shapes = parse_shape_scripts(request.shapes);
     }
+    first.keep_layout = request.keep_layout;
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = true;
+    first.has_colours = request.has_colours;
     font = load_all(request, first, lines_of(strings), warnings);
   }
   if (!icons.empty()) {
-    add_icons(icons, request.icon_place, font);
+    add_icons(icons, request.icon_place, request.has_colours, font);
     renew_missing_warning(font, warnings);
   }
   if (has_second_master(first.axes)) {
     add_masters(first, font, warnings);
   }
+  make_layers(font, request.threads);
   return font;
 }
 
@@ -245,6 +249,7 @@ RomFont generate(const GenerateRequest& request) {
   }
   std::vector<GlyphErrors> errors;
   RomContent content = build_content(font, request, errors);
+  content.layers = rom_layers(font);
   add_morphs(request, font, content, rom.warnings);
   // A font promises what it holds.
   content.options.tolerance = promised_tolerance(request.target, errors);

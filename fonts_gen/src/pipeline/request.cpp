@@ -1,5 +1,6 @@
 #include "pipeline/request.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -8,6 +9,7 @@
 #include "pipeline/font_morphs.hpp"
 #include "source/faces.hpp"
 #include "source/named_sets.hpp"
+#include "source/shape_script.hpp"
 #include "texts/file_pattern.hpp"
 #include "texts/shown_texts.hpp"
 
@@ -47,6 +49,15 @@ bool is_band(Target target) {
 }
 
 }  // namespace
+
+bool shapes_emoji(const GenerateRequest& request) {
+  if (request.shapes.empty()) {
+    return false;
+  }
+  const auto scripts = parse_shape_scripts(request.shapes);
+  return std::any_of(scripts.begin(), scripts.end(),
+                     [](const auto& script) { return script.tag == "emoj"; });
+}
 
 void check_request(const GenerateRequest& request) {
   const Target& target = request.target;
@@ -103,14 +114,19 @@ void check_request(const GenerateRequest& request) {
        "--paged out, or shape them with another font"},
       {!is_outline && has_strikes,
        "--strike is of outlines; leave --coding field out"},
-      {is_paged && has_strikes,
-       "--strike needs a font in mapped memory; leave --paged out"},
+      {is_paged && has_strikes && !request.strike_only,
+       "--strike beside outlines needs a font in mapped memory; add "
+       "--strike-only, or leave --paged out"},
       {request.strike_only && request.strikes.size() != 1,
        "--strike-only makes a font of one size; give one --strike, such as "
        "--strike 12:1"},
       {request.strike_only && (has_morphs || has_masters),
        "--strike-only leaves no outlines that morph; leave --morph and --axis "
        "with two values out, or --strike-only"},
+      {request.keep_layout &&
+           (is_paged || !is_outline || !has_font || request.strike_only),
+       "--keep-layout is for outlines of a font file in mapped memory; leave "
+       "--paged, --coding field and --strike-only out"},
       {is_paged && !request.shapes.empty(),
        "--shape needs a font in mapped memory; leave --paged out, or shape "
        "text with another font"},
@@ -120,6 +136,13 @@ void check_request(const GenerateRequest& request) {
        "--shape needs a font file; add --font FILE"},
       {request.strike_only && !request.shapes.empty(),
        "--shape is for outlines; leave --strike-only out"},
+      {request.has_colours && (!is_outline || request.strike_only),
+       "--colour makes layers of outlines; leave --coding field and "
+       "--strike-only out"},
+      {request.has_colours && is_paged,
+       "--colour needs a font in mapped memory; leave --paged out"},
+      {request.has_colours && has_masters,
+       "--colour: layers have no second masters; give --axis one value"},
       {is_outline && target.predicate == Predicate::fixed,
        "--predicate fixed is the paper's, for its cells; use --coding field"}};
   for (const auto& [is_broken, what] : rules) {
@@ -144,8 +167,8 @@ std::vector<std::filesystem::path> inputs_of(const GenerateRequest& request) {
   for (const std::string& face : request.merge) {
     files.push_back(parse_merged_face(face).file);
   }
-  for (const IconFile& icon :
-       find_icons(request.svg_files, request.svg_folders)) {
+  for (const IconFile& icon : find_icons(request.svg_files, request.svg_folders,
+                                         shapes_emoji(request))) {
     files.push_back(icon.file);
   }
   for (const std::filesystem::path& list : icon_lists(request.svg_folders)) {

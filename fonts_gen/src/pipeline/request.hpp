@@ -49,6 +49,8 @@ struct GenerateRequest {
   bool strict = false;
   /// More faces, as parse_merged_face reads them, in order of priority.
   std::vector<std::string> merge;
+  /// Whether glyphs of several colours keep them, as layers.
+  bool has_colours = false;
   std::vector<std::string> svg_files;  // "wifi.svg=0xE001"
   std::vector<std::filesystem::path> svg_folders;
   IconPlace icon_place;
@@ -63,6 +65,11 @@ struct GenerateRequest {
   std::vector<std::string> morphs;
   /// Scripts that the device shapes, as parse_shape_scripts() reads them.
   std::string shapes;
+  /// Whether the font keeps the face's tables of layout, for HarfBuzz.
+  bool keep_layout = false;
+  /// Whether a font that shapes no script lets the device compose letters and
+  /// marks, where it has the composed letter.
+  bool compose = true;
   /// Bytes of a block of a font for storage that is not mapped: 512, 1024, 2048
   /// or 4096; 0: the font is for mapped memory.
   int paged = 0;
@@ -85,6 +92,9 @@ struct GenerateRequest {
 
 /// Throws Error unless the numbers of `request` lie within their limits.
 void check_request(const GenerateRequest& request);
+
+/// Whether the device shapes emoji, those of file names as well.
+bool shapes_emoji(const GenerateRequest& request);
 
 /// What a request asks its font files for.
 struct AskedCharacters {

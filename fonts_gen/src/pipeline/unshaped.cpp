@@ -2,16 +2,23 @@
 
 #include <set>
 
+#include "source/shape_script.hpp"
 #include "source/shaping_need.hpp"
 #include "texts/shown_texts.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-// Warns once of each script, whichever text it is in.
+// Warns once of each script, whichever text it is in, but for those of --shape.
 class ScriptWarnings {
  public:
-  explicit ScriptWarnings(Warnings& out) : out_(out) {}
+  ScriptWarnings(const std::string& shapes, Warnings& out) : out_(out) {
+    if (!shapes.empty()) {
+      for (const ShapeScript& shaped : parse_shape_scripts(shapes)) {
+        told_.insert(script_of(shaped));
+      }
+    }
+  }
 
   // `file` is empty for a text of the command line.
   void add(const LocatedText& text, const std::string& file) {
@@ -20,7 +27,7 @@ class ScriptWarnings {
       characters += found.value;
     }
     for (const UnshapedScript& script : unshaped_scripts(characters)) {
-      if (told_.insert(script.name).second) {
+      if (told_.insert(script.script).second) {
         const std::string place =
             file.empty()
                 ? ""
@@ -33,7 +40,7 @@ class ScriptWarnings {
 
  private:
   Warnings& out_;
-  std::set<std::string> told_;
+  std::set<hb_script_t> told_;
 };
 
 LocatedText lines_of(const std::filesystem::path& file) {
@@ -51,7 +58,7 @@ LocatedText lines_of(const std::filesystem::path& file) {
 }  // namespace
 
 void tell_of_unshaped(const GenerateRequest& request, Warnings& warnings) {
-  ScriptWarnings scripts(warnings);
+  ScriptWarnings scripts(request.shapes, warnings);
   LocatedText symbols;
   add_shown(request.symbols, 0, "--symbols", symbols);
   scripts.add(symbols, "");

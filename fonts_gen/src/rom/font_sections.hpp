@@ -22,6 +22,7 @@ uint32_t crc32(const uint8_t* data, size_t size, uint32_t crc = 0);
 
 std::vector<uint8_t> metrics_section(const RomContent& content);
 std::vector<uint8_t> kerning_section(const RomContent& content);
+/// GLYF, of the content's coding.
 std::vector<uint8_t> glyphs_section(const RomContent& content,
                                     const HintCode& code);
 std::vector<uint8_t> code_section(const RomContent& content);

@@ -33,6 +33,28 @@ RomGlyph bare(const RomGlyph& glyph) {
   return copy;
 }
 
+// The pictures of some glyphs, behind empty ones; none of outlines.
+std::vector<RomStrike> strikes_of(const RomContent& content,
+                                  size_t empty,
+                                  const std::vector<uint16_t>& glyphs) {
+  std::vector<RomStrike> strikes;
+  for (const RomStrike& strike : content.strikes) {
+    strikes.push_back({strike.target, std::vector<Picture>(empty)});
+    for (const uint16_t glyph : glyphs) {
+      strikes.back().pictures.push_back(strike.pictures[glyph]);
+    }
+  }
+  return strikes;
+}
+
+// What draws a glyph, without tables. [bytes]
+size_t drawn_bytes(const RomContent& content, uint16_t glyph) {
+  return content.strikes.empty()
+             ? content.glyphs[glyph].outline_record.size()
+             : strikes_section(strikes_of(content, 0, {glyph}), true).size() -
+                   strikes_section(strikes_of(content, 1, {}), true).size();
+}
+
 // The first glyph of the first page; before it there is .notdef.
 constexpr size_t kFirstGlyph = 1;
 
@@ -93,6 +115,7 @@ class PageMaker {
     }
     // Widens no column.
     part.glyphs[0].metrics = part.glyphs[1].metrics;
+    part.strikes = strikes_of(content_, 1, glyphs);
     const Bytes runs = CharacterRuns(part.glyph_of).cmap_of_all();
     constexpr size_t kMostRuns = 255;
     constexpr size_t kMostGlyphs = 255;
@@ -104,9 +127,11 @@ class PageMaker {
     page.first_code_point = characters.front().first;
     page.glyphs = glyphs;
     Bytes out = metrics_section(part);
+    // Entries of strikes lie at multiples of 4.
+    pad(out, part.strikes.empty() ? 0 : 2);
     const size_t records = out.size();
-    const Bytes outlines = glyphs_section(part, code_);
-    out.insert(out.end(), outlines.begin(), outlines.end());
+    const Bytes drawn = glyphs_section(part, code_);
+    out.insert(out.end(), drawn.begin(), drawn.end());
     const size_t end = content_.block_bytes - trailer::kBytes;
     if (out.size() + runs.size() > end) {
       return std::nullopt;
@@ -124,15 +149,15 @@ class PageMaker {
 
   [[noreturn]] void refuse(
       const std::pair<const char32_t, uint16_t>& character) const {
-    const size_t bytes =
-        content_.glyphs[character.second].outline_record.size();
     const bool is_largest = content_.block_bytes == paged::kMaxBlockBytes;
-    throw Error(content_.name + ": " + describe(character.first) + " takes " +
-                std::to_string(bytes) + " bytes beside its tables, a block " +
-                std::to_string(content_.block_bytes) + "; " +
-                (is_largest ? "raise --tolerance, or lower --max-px"
-                            : "use --paged " +
-                                  std::to_string(2 * content_.block_bytes)));
+    throw Error(
+        content_.name + ": " + describe(character.first) + " takes " +
+        std::to_string(drawn_bytes(content_, character.second)) +
+        " bytes beside its tables, a block " +
+        std::to_string(content_.block_bytes) + "; " +
+        (!is_largest ? "use --paged " + std::to_string(2 * content_.block_bytes)
+         : content_.strikes.empty() ? "raise --tolerance, or lower --max-px"
+                                    : "take a smaller --strike"));
   }
 
   const RomContent& content_;
@@ -144,15 +169,20 @@ Bytes resident_font(const RomContent& content, const HintCode& code) {
   RomContent part;
   part.options = content.options;
   part.glyphs.push_back(bare(content.glyphs[0]));
+  part.strikes = strikes_of(content, 0, {0});
   if (!content.hints.empty()) {
     part.hints.glyphs.push_back(content.hints.glyphs[0]);
   }
   constexpr uint32_t kNeeded = section::kMustUnderstand;
   std::vector<FontSection> sections = {
       {section::kMetrics, kNeeded, metrics_section(part), &PartBytes::metrics},
-      {section::kCode, kNeeded, code_section(content), &PartBytes::glyphs},
       {section::kGlyphs, kNeeded, glyphs_section(part, code),
        &PartBytes::glyphs}};
+  if (part.strikes.empty()) {
+    sections.insert(
+        sections.begin() + 1,
+        {section::kCode, kNeeded, code_section(content), &PartBytes::glyphs});
+  }
   if (!content.hints.empty()) {
     sections.push_back({section::kGrid, 0, code.section(), &PartBytes::hints});
   }
@@ -237,7 +267,7 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
                 std::to_string(taken) + " bytes, at most " +
                 std::to_string(paged::kMaxResidentBytes) +
                 " are possible; .notdef takes " +
-                std::to_string(content.glyphs[0].outline_record.size()) +
+                std::to_string(drawn_bytes(content, 0)) +
                 " of them: use a font file with a simpler one");
   }
   const size_t room = (paged::kMaxResidentBytes - paged::kBytes - font.size()) &

@@ -10,6 +10,7 @@
 #include "hints/grid_section.hpp"
 #include "inkcell/font.hpp"
 #include "outlines/minimal_outline.hpp"
+#include "rom/layer_section.hpp"
 #include "rom/strike_section.hpp"
 #include "source/components.hpp"
 #include "source/font_source.hpp"
@@ -60,10 +61,12 @@ struct RomContent {
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
-  FontHints hints;               // of outlines only
-  std::vector<RomMorph> morphs;  // ascending by first and second
-  std::vector<uint8_t> shaping;  // section SHAP; empty: there is none
+  FontHints hints;                   // of outlines only
+  std::vector<RomMorph> morphs;      // ascending by first and second
+  std::vector<uint8_t> shaping;      // section SHAP; empty: there is none
+  std::vector<uint8_t> kept_layout;  // section LAYT; empty: there is none
   std::vector<RomStrike> strikes;
+  RomLayers layers;
   size_t first_master = 0;  // of the second masters; 0: there are none
   /// A block of a paged font; 0: it lies in mapped memory. [bytes]
   size_t block_bytes = 0;

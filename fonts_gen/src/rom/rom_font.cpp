@@ -297,19 +297,18 @@ std::vector<FontSection> make_sections(const RomContent& content) {
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
   add(section::kGrid, 0, hints.section(), &PartBytes::hints);
   add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
-  if (content.options.coding == Coding::strike) {
-    add(section::kGlyphs, kNeeded, strikes_section(content.strikes),
-        &PartBytes::strikes);
-  } else {
-    add(section::kGlyphs, kNeeded, glyphs_section(content, hints),
-        &PartBytes::glyphs);
-    add(section::kStrikes, 0,
-        content.strikes.empty() ? Bytes() : strikes_section(content.strikes),
+  const bool is_strike = content.options.coding == Coding::strike;
+  add(section::kGlyphs, kNeeded, glyphs_section(content, hints),
+      is_strike ? &PartBytes::strikes : &PartBytes::glyphs);
+  if (!is_strike && !content.strikes.empty()) {
+    add(section::kStrikes, 0, strikes_section(content.strikes, false),
         &PartBytes::strikes);
   }
   add(section::kMorphs, 0, morphs_section(content), &PartBytes::morphs);
   add(section::kShaping, 0, content.shaping, &PartBytes::shaping);
-  if (content.options.coding != Coding::strike) {
+  add(section::kKeptLayout, 0, content.kept_layout, &PartBytes::shaping);
+  add(section::kLayers, 0, layers_section(content.layers), &PartBytes::layers);
+  if (!is_strike) {
     add(section::kName, 0, name_section(content), &PartBytes::name);
   }
   return sections;
@@ -381,6 +380,9 @@ Bytes metrics_section(const RomContent& content) {
 }
 
 Bytes glyphs_section(const RomContent& content, const HintCode& code) {
+  if (content.options.coding == Coding::strike) {
+    return strikes_section(content.strikes, true);
+  }
   std::vector<Bytes> records;
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     records.push_back(hinted_record(content, i, code));

@@ -19,12 +19,13 @@ struct PartBytes {
   size_t morphs = 0;
   size_t shaping = 0;
   size_t strikes = 0;
+  size_t layers = 0;  // lists and palettes, without their outlines
   size_t glyphs = 0;  // records and offsets; of outlines the code table, too
   size_t name = 0;
 
   size_t total() const {
     return header + cmap + metrics + kerning + hints + morphs + shaping +
-           strikes + glyphs + name;
+           strikes + layers + glyphs + name;
   }
 };
 

@@ -148,7 +148,10 @@ size_t best_step(const std::vector<size_t>& offsets) {
   return low + 1;
 }
 
-void put_strike(const RomStrike& strike, size_t entry, Bytes& out) {
+void put_strike(const RomStrike& strike,
+                bool is_alone,
+                size_t entry,
+                Bytes& out) {
   const StrikeTarget& target = strike.target;
   const uint32_t guesses = best_guesses(strike);
   Bytes pictures;
@@ -158,11 +161,14 @@ void put_strike(const RomStrike& strike, size_t entry, Bytes& out) {
     offsets.push_back(pictures.size());
   }
   const size_t step = best_step(offsets);
+  const auto box = [&](int Picture::*of, bool is_place) {
+    return is_alone ? Column{0, std::vector<int64_t>(offsets.size())}
+                    : column_of(strike, of, is_place);
+  };
   const Column columns[at::kColumns] = {
-      column_of(strike, &Picture::left, true),
-      column_of(strike, &Picture::top, true),
-      column_of(strike, &Picture::width, false),
-      column_of(strike, &Picture::height, false), above_steps(offsets, step)};
+      box(&Picture::left, true), box(&Picture::top, true),
+      box(&Picture::width, false), box(&Picture::height, false),
+      above_steps(offsets, step)};
   set_u16(out, entry + at::kPx, static_cast<unsigned>(target.px));
   out[entry + at::kBits] = static_cast<uint8_t>(target.bits);
   out[entry + at::kFit] = static_cast<uint8_t>(target.fit);
@@ -194,14 +200,12 @@ void put_strike(const RomStrike& strike, size_t entry, Bytes& out) {
 
 }  // namespace
 
-Bytes strikes_section(const std::vector<RomStrike>& strikes) {
+Bytes strikes_section(const std::vector<RomStrike>& strikes, bool is_alone) {
   Bytes out(head::kBytes + at::kBytes * strikes.size());
   set_u16(out, head::kCount, static_cast<unsigned>(strikes.size()));
   for (size_t i = 0; i < strikes.size(); ++i) {
-    put_strike(strikes[i], head::kBytes + at::kBytes * i, out);
+    put_strike(strikes[i], is_alone, head::kBytes + at::kBytes * i, out);
   }
-  // A reader may load four bytes.
-  out.resize(out.size() + 3);
   return out;
 }
 

@@ -15,7 +15,9 @@ struct RomStrike {
   std::vector<Picture> pictures;
 };
 
-/// The section. All pictures are in the format.
-std::vector<uint8_t> strikes_section(const std::vector<RomStrike>& strikes);
+/// The section; alone in a font, whose METR has the boxes, or beside outlines.
+/// All pictures are in the format.
+std::vector<uint8_t> strikes_section(const std::vector<RomStrike>& strikes,
+                                     bool is_alone);
 
 }  // namespace inkcell::gen

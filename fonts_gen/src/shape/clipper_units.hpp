@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+#include <utility>
 
 #include "shape/outline.hpp"
 
@@ -22,6 +23,20 @@ inline ClipperLib::IntPoint to_clipper(const Point& p) {
 inline Point from_clipper(const ClipperLib::IntPoint& p) {
   return {static_cast<double>(p.X) / kClipperUnits_per_u,
           static_cast<double>(p.Y) / kClipperUnits_per_u};
+}
+
+/// Each path as a contour of lines.
+inline Outline outline_of(const ClipperLib::Paths& paths) {
+  Outline outline;
+  for (const ClipperLib::Path& path : paths) {
+    Contour contour;
+    for (size_t i = 0; i < path.size(); ++i) {
+      contour.segments.push_back(line_segment(
+          from_clipper(path[i]), from_clipper(path[(i + 1) % path.size()])));
+    }
+    outline.contours.push_back(std::move(contour));
+  }
+  return outline;
 }
 
 /// The result of an operation. Throws GeometryError with `failure`.

@@ -134,6 +134,7 @@ void LayoutTable::read_rule_sets(At at,
 void LayoutTable::read_reverse(At at, LayoutLookup& out) const {
   const std::vector<uint32_t> from = coverage(offset(at, at + 2));
   LayoutRule rule;
+  GlyphIds first;
   At next = at + 4;
   for (std::vector<GlyphIds>* sets : {&rule.before, &rule.behind}) {
     const unsigned count = u16(next);
@@ -147,9 +148,11 @@ void LayoutTable::read_reverse(At at, LayoutLookup& out) const {
     const auto to = id(u16(next + 2 + 2 * i));
     if (own && to) {
       rule.pairs.emplace(*own, *to);
+      first.insert(*own);
     }
   }
-  if (!rule.pairs.empty()) {
+  if (!first.empty()) {
+    rule.input = {first};
     add_rule(std::move(rule), out);
   }
 }

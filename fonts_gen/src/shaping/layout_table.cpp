@@ -15,16 +15,6 @@ namespace shaping = format::shaping;
 constexpr unsigned kGposExtension = 9;
 constexpr unsigned kGsubExtension = 7;
 
-// Bytes of a table of a face.
-std::vector<uint8_t> table_of(const FontFile& file, hb_tag_t tag) {
-  hb_blob_t* blob = hb_face_reference_table(file.hb_face(), tag);
-  unsigned size = 0;
-  const char* data = hb_blob_get_data(blob, &size);
-  std::vector<uint8_t> bytes(data, data + size);
-  hb_blob_destroy(blob);
-  return bytes;
-}
-
 unsigned bits_in(unsigned format) {
   unsigned count = 0;
   for (; format != 0; format &= format - 1) {
@@ -45,12 +35,10 @@ GlyphIds LayoutLookup::covered() const {
   add(replaced);
   add(ligatures);
   add(adjusted);
-  add(cursive);
   for (const auto& pair : kerned) {
     ids.insert(pair.first.first);
   }
   for (const LayoutRule& rule : rules) {
-    add(rule.pairs);
     if (!rule.input.empty()) {
       ids.insert(rule.input.front().begin(), rule.input.front().end());
     }
@@ -67,7 +55,7 @@ LayoutTable::LayoutTable(const FontFile& file,
     : file_(file),
       is_gpos_(tag == HB_OT_TAG_GPOS),
       glyphs_(glyphs),
-      bytes_(table_of(file, tag)) {}
+      bytes_(file.table(tag)) {}
 
 void LayoutTable::refuse(const std::string& what) const {
   file_.refuse(std::string(is_gpos_ ? "GPOS" : "GSUB") + " lookup " +
@@ -377,12 +365,19 @@ void LayoutTable::read_pairs(At at, LayoutLookup& out) const {
 
 void LayoutTable::read_cursive(At at, LayoutLookup& out) const {
   const std::vector<uint32_t> from = coverage(offset(at, at + 2));
+  LayoutAnchors found;
   for (size_t i = 0; i < from.size() && i < u16(at + 4); ++i) {
-    if (const auto own = id(from[i])) {
-      out.cursive.emplace(*own, std::pair(anchor(at, at + 6 + 4 * i),
-                                          anchor(at, at + 8 + 4 * i)));
+    const auto own = id(from[i]);
+    const auto entry = anchor(at, at + 6 + 4 * i);
+    const auto exit = anchor(at, at + 8 + 4 * i);
+    if (own && entry) {
+      found.marks.emplace(*own, LayoutAnchors::Mark{0, *entry});
+    }
+    if (own && exit) {
+      found.bases[*own] = {{{0, *exit}}};
     }
   }
+  out.anchors.push_back(std::move(found));
 }
 
 void LayoutTable::read_anchors(At at,
@@ -449,47 +444,18 @@ GlyphClasses read_classes(const FontFile& file,
       out.kinds[own] = is_mark ? 3 : 1;
     }
   }
-  const std::vector<uint8_t> bytes = table_of(file, HB_TAG('G', 'D', 'E', 'F'));
-  const auto u16 = [&](size_t at) {
-    return at + 2 <= bytes.size()
-               ? static_cast<unsigned>(bytes[at] << 8 | bytes[at + 1])
-               : 0;
-  };
-  const auto own_of = [&](uint32_t glyph, const auto& use) {
-    const auto found = glyphs.find(glyph);
-    if (found != glyphs.end()) {
-      use(found->second);
-    }
-  };
-  // Classes of marks.
-  if (const size_t at = u16(10); at != 0) {
-    for (unsigned i = 0; u16(at) == 1 && i < u16(at + 4); ++i) {
-      own_of(u16(at + 2) + i, [&](uint16_t own) {
-        out.mark_classes[own] = u16(at + 6 + 2 * size_t{i});
-      });
-    }
-    for (unsigned i = 0; u16(at) == 2 && i < u16(at + 2); ++i) {
-      const size_t range = at + 4 + 6 * size_t{i};
-      for (unsigned g = u16(range); g <= u16(range + 2) && g < 65535; ++g) {
-        own_of(g,
-               [&](uint16_t own) { out.mark_classes[own] = u16(range + 4); });
-      }
+  const LayoutTable gdef(file, HB_TAG('G', 'D', 'E', 'F'), glyphs);
+  for (const auto& [glyph, kind] : gdef.classes(gdef.offset(0, 10))) {
+    if (const auto own = gdef.id(glyph)) {
+      out.mark_classes[*own] = kind;
     }
   }
   // Sets of marks, from version 1.2 on.
-  const size_t sets = u16(2) >= 2 ? u16(12) : 0;
-  for (unsigned i = 0; sets != 0 && i < u16(sets + 2); ++i) {
-    const size_t at = sets + (size_t{u16(sets + 4 + 4 * size_t{i})} << 16 |
-                              u16(sets + 6 + 4 * size_t{i}));
-    GlyphIds ids;
-    for (unsigned k = 0; k < u16(at + 2); ++k) {
-      const size_t range = at + 4 + (u16(at) == 1 ? 2 : 6) * size_t{k};
-      const unsigned last = u16(at) == 1 ? u16(range) : u16(range + 2);
-      for (unsigned g = u16(range); g <= last && g < 65535; ++g) {
-        own_of(g, [&](uint16_t own) { ids.insert(own); });
-      }
-    }
-    out.mark_sets.push_back(ids);
+  const size_t sets = gdef.u16(2) >= 2 ? gdef.offset(0, 12) : 0;
+  for (size_t i = 0; sets != 0 && i < gdef.u16(sets + 2); ++i) {
+    out.mark_sets.push_back(
+        gdef.covered_ids(sets + (size_t{gdef.u16(sets + 4 + 4 * i)} << 16 |
+                                 gdef.u16(sets + 6 + 4 * i))));
   }
   return out;
 }

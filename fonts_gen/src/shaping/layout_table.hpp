@@ -61,14 +61,19 @@ struct LayoutLookup {
   std::map<uint16_t, std::array<int, 3>> adjusted;  // x, y, advance
   /// x and advance.
   std::map<std::pair<uint16_t, uint16_t>, std::pair<int, int>> kerned;
-  std::map<uint16_t,
-           std::pair<std::optional<LayoutAnchor>, std::optional<LayoutAnchor>>>
-      cursive;  // entry and exit
-  std::vector<LayoutAnchors> anchors;
+  std::vector<LayoutAnchors> anchors;  // cursive: entries are marks, of kind 0
 
   /// Glyphs at which it may apply.
   GlyphIds covered() const;
   bool empty() const { return covered().empty(); }
+};
+
+/// What GDEF says of the font's glyphs; without it, what Unicode says of
+/// characters.
+struct GlyphClasses {
+  std::map<uint16_t, unsigned> kinds;  // 1 base, 2 ligature, 3 mark
+  std::map<uint16_t, unsigned> mark_classes;
+  std::vector<GlyphIds> mark_sets;
 };
 
 /// A table of a face.
@@ -80,8 +85,12 @@ class LayoutTable {
   LayoutLookup lookup(unsigned number) const;
 
  private:
+  friend GlyphClasses read_classes(
+      const FontFile& file,
+      const GlyphMap& glyphs,
+      const std::map<char32_t, uint16_t>& characters);
+
   using At = size_t;
-  class Subtable;
 
   unsigned u16(At at) const;
   int i16(At at) const { return static_cast<int16_t>(u16(at)); }
@@ -121,14 +130,6 @@ class LayoutTable {
   const GlyphMap& glyphs_;
   std::vector<uint8_t> bytes_;
   mutable unsigned reading_ = 0;  // number of a lookup, for errors
-};
-
-/// What GDEF says of the font's glyphs; without it, what Unicode says of
-/// characters.
-struct GlyphClasses {
-  std::map<uint16_t, unsigned> kinds;  // 1 base, 2 ligature, 3 mark
-  std::map<uint16_t, unsigned> mark_classes;
-  std::vector<GlyphIds> mark_sets;
 };
 
 GlyphClasses read_classes(const FontFile& file,

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "shaping/section_writer.hpp"
+#include "source/kerning.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -131,25 +132,6 @@ uint32_t SectionWriter::put_rules(const LayoutLookup& lookup,
   return static_cast<uint32_t>(lookup.rules.size());
 }
 
-uint32_t SectionWriter::put_reverse(const LayoutLookup& lookup,
-                                    SectionBits& out) {
-  for (const LayoutRule& rule : lookup.rules) {
-    out.put(static_cast<uint32_t>(rule.before.size()), shaping::kRuleBits);
-    out.put(static_cast<uint32_t>(rule.behind.size()), shaping::kRuleBits);
-    out.put(static_cast<uint32_t>(rule.pairs.size()), 16);
-    for (const auto* sets : {&rule.before, &rule.behind}) {
-      for (const GlyphIds& ids : *sets) {
-        out.put(set_of(ids), set_bits_);
-      }
-    }
-    for (const auto& [from, to] : rule.pairs) {
-      out.put(from, glyph_bits_);
-      out.put(to, glyph_bits_);
-    }
-  }
-  return static_cast<uint32_t>(lookup.rules.size());
-}
-
 uint32_t SectionWriter::put_adjustments(const LayoutLookup& lookup,
                                         SectionBits& out) const {
   std::vector<Column> columns;
@@ -160,7 +142,9 @@ uint32_t SectionWriter::put_adjustments(const LayoutLookup& lookup,
     }
     columns.emplace_back(values);
     out.put_i16(columns[i].least);
-    out.put(columns[i].bits, 5);
+  }
+  for (const Column& column : columns) {
+    out.put(column.bits, 5);
   }
   for (const auto& [glyph, value] : lookup.adjusted) {
     out.put(glyph, glyph_bits_);
@@ -174,9 +158,8 @@ uint32_t SectionWriter::put_adjustments(const LayoutLookup& lookup,
 // As section KERN: classes of glyphs that kern alike.
 uint32_t SectionWriter::put_pairs(const LayoutLookup& lookup,
                                   SectionBits& out) const {
-  using Row = std::map<uint16_t, int>;
-  std::map<uint16_t, Row> rows;
-  std::map<uint16_t, Row> columns;
+  std::vector<size_t> lefts;
+  std::vector<std::vector<int16_t>> rows;
   std::vector<int> values;
   bool moves_both = false;
   bool moves_one = false;
@@ -185,150 +168,89 @@ uint32_t SectionWriter::put_pairs(const LayoutLookup& lookup,
     if (x == 0 && advance == 0) {
       continue;
     }
-    if (x != 0 && x != advance) {
-      source_.file.refuse(
-          "moves a glyph of a pair otherwise than its advance, which --shape "
-          "cannot do; choose another face");
-    }
     moves_both = moves_both || x != 0;
-    moves_one = moves_one || x == 0;
-    rows[pair.first][pair.second] = advance;
+    moves_one = moves_one || x != advance;
+    if (lefts.empty() || lefts.back() != pair.first) {
+      lefts.push_back(pair.first);
+      rows.emplace_back(source_.glyph_count);
+    }
+    rows.back()[pair.second] = static_cast<int16_t>(advance);
     values.push_back(advance);
   }
   if (moves_both && moves_one) {
     source_.file.refuse(
-        "moves some glyphs of pairs and not others, which --shape cannot do; "
-        "choose another face");
+        "moves some glyphs of pairs otherwise than their advances, which "
+        "--shape cannot do; choose another face");
   }
-  std::map<Row, unsigned> left_numbers;
-  std::map<uint16_t, unsigned> lefts;
-  std::vector<const Row*> classes;
-  for (const auto& [glyph, row] : rows) {
-    const auto [found, is_new] = left_numbers.emplace(
-        row, static_cast<unsigned>(left_numbers.size() + 1));
-    if (is_new) {
-      classes.push_back(&found->first);
-    }
-    lefts[glyph] = found->second;
-  }
-  for (size_t i = 0; i < classes.size(); ++i) {
-    for (const auto& [right, value] : *classes[i]) {
-      columns[right][static_cast<uint16_t>(i)] = value;
-    }
-  }
-  std::map<Row, unsigned> right_numbers;
-  std::map<uint16_t, unsigned> rights;
-  for (const auto& [glyph, column] : columns) {
-    rights[glyph] =
-        right_numbers
-            .emplace(column, static_cast<unsigned>(right_numbers.size() + 1))
-            .first->second;
-  }
-  std::vector<std::map<unsigned, int>> pairs;
-  uint32_t total = 0;
-  for (const Row* row : classes) {
-    std::map<unsigned, int> of_classes;
-    for (const auto& [right, value] : *row) {
-      of_classes[rights[right]] = value;
-    }
-    total += static_cast<uint32_t>(of_classes.size());
-    pairs.push_back(of_classes);
-  }
+  const KerningMatrix classes = join_classes(source_.glyph_count, lefts, rows);
+  const auto right_count = static_cast<size_t>(classes.right_classes);
   const Column value(values);
-  const unsigned left_bits = width_of(static_cast<uint32_t>(classes.size()));
+  const unsigned left_bits =
+      width_of(static_cast<uint32_t>(classes.left_classes));
   const unsigned right_bits =
-      width_of(static_cast<uint32_t>(right_numbers.size()));
-  const unsigned start_bits = width_of(total);
-  GlyphIds members;
-  for (const auto& [glyph, number] : lefts) {
-    members.insert(glyph);
-  }
-  for (const auto& [glyph, number] : rights) {
-    members.insert(glyph);
-  }
+      width_of(static_cast<uint32_t>(classes.right_classes));
+  const auto pairs = static_cast<uint32_t>(
+      classes.values.size() -
+      static_cast<size_t>(
+          std::count(classes.values.begin(), classes.values.end(), 0)));
+  const unsigned start_bits = width_of(pairs);
   out.put_i16(value.least);
-  out.put(value.bits, 5);
-  out.put(moves_both ? 1 : 0, 1);
-  out.put(left_bits, 5);
-  out.put(right_bits, 5);
-  out.put(start_bits, 5);
-  out.put(static_cast<uint32_t>(classes.size()), 16);
-  const auto class_of = [](const std::map<uint16_t, unsigned>& numbers,
-                           uint16_t glyph) {
-    const auto found = numbers.find(glyph);
-    return found == numbers.end() ? 0u : found->second;
-  };
-  for (const uint16_t glyph : members) {
-    out.put(glyph, glyph_bits_);
-    out.put(class_of(lefts, glyph), left_bits);
-    out.put(class_of(rights, glyph), right_bits);
+  for (const unsigned width :
+       {left_bits, right_bits, start_bits, value.bits, moves_both ? 1u : 0u}) {
+    out.put(width, 5);
   }
+  out.put(static_cast<uint32_t>(classes.left_classes), 16);
+  uint32_t members = 0;
+  for (size_t i = 0; i < source_.glyph_count; ++i) {
+    if (classes.left_class[i] + classes.right_class[i] != 0) {
+      out.put(static_cast<uint32_t>(i), glyph_bits_);
+      out.put(classes.left_class[i], left_bits);
+      out.put(classes.right_class[i], right_bits);
+      ++members;
+    }
+  }
+  SectionBits rows_of_pairs;
   uint32_t start = 0;
-  for (const auto& row : pairs) {
-    out.put(start, start_bits);
-    start += static_cast<uint32_t>(row.size());
+  for (size_t i = 0; i < classes.values.size(); ++i) {
+    if (i % right_count == 0) {
+      out.put(start, start_bits);
+    }
+    if (classes.values[i] != 0) {
+      rows_of_pairs.put(static_cast<uint32_t>(i % right_count + 1), right_bits);
+      value.put(classes.values[i], rows_of_pairs);
+      ++start;
+    }
   }
   out.put(start, start_bits);
-  for (const auto& row : pairs) {
-    for (const auto& [right, amount] : row) {
-      out.put(right, right_bits);
-      value.put(amount, out);
-    }
-  }
-  return static_cast<uint32_t>(members.size());
-}
-
-uint32_t SectionWriter::put_cursive(const LayoutLookup& lookup,
-                                    SectionBits& out) const {
-  std::vector<int> xs;
-  std::vector<int> ys;
-  for (const auto& [glyph, ends] : lookup.cursive) {
-    for (const auto& place : {ends.first, ends.second}) {
-      if (place) {
-        xs.push_back(place->x);
-        ys.push_back(place->y);
-      }
-    }
-  }
-  const Column x(xs);
-  const Column y(ys);
-  out.put_i16(x.least);
-  out.put_i16(y.least);
-  out.put(x.bits, 5);
-  out.put(y.bits, 5);
-  out.put(lookup.flags & 1, 1);
-  for (const auto& [glyph, ends] : lookup.cursive) {
-    out.put(glyph, glyph_bits_);
-    out.put(ends.first ? 1 : 0, 1);
-    out.put(ends.second ? 1 : 0, 1);
-    for (const auto& place : {ends.first, ends.second}) {
-      x.put(place ? place->x : x.least, out);
-      y.put(place ? place->y : y.least, out);
-    }
-  }
-  return static_cast<uint32_t>(lookup.cursive.size());
+  out.append(rows_of_pairs);
+  return members;
 }
 
 // Anchors of marks, rows of anchors of bases, and a pool of such rows, each
-// once. Kinds of marks of several subtables get numbers of their own.
+// once. Kinds of marks of several subtables get numbers of their own, and an
+// anchor names a level: a kind and a height. Glyphs of cursive scripts have the
+// only kind: their entries stand on exits.
 uint32_t SectionWriter::put_anchors(const LayoutLookup& lookup,
                                     SectionBits& out) const {
-  using Row = std::vector<std::tuple<unsigned, int, int>>;
-  std::vector<std::tuple<uint16_t, unsigned, LayoutAnchor>> marks;
+  using Level = std::pair<unsigned, int>;
+  using Row = std::vector<std::pair<Level, int>>;
+  std::vector<std::tuple<uint16_t, Level, int>> marks;
   std::map<uint16_t, std::vector<Row>> bases;
   std::vector<int> xs;
   std::vector<int> ys;
+  std::map<Level, uint32_t> levels;
   unsigned first_kind = 0;
-  const auto add = [&](const LayoutAnchor& place) {
+  const auto level_of = [&](unsigned kind, const LayoutAnchor& place) {
     xs.push_back(place.x);
     ys.push_back(place.y);
+    return levels.emplace(Level(first_kind + kind, place.y), 0).first->first;
   };
   for (const LayoutAnchors& subtable : lookup.anchors) {
     unsigned kinds = 0;
     for (const auto& [glyph, mark] : subtable.marks) {
-      marks.emplace_back(glyph, first_kind + mark.kind, mark.anchor);
+      marks.emplace_back(glyph, level_of(mark.kind, mark.anchor),
+                         mark.anchor.x);
       kinds = std::max(kinds, mark.kind + 1);
-      add(mark.anchor);
     }
     for (const auto& [glyph, rows] : subtable.bases) {
       std::vector<Row>& own = bases[glyph];
@@ -336,8 +258,7 @@ uint32_t SectionWriter::put_anchors(const LayoutLookup& lookup,
       for (size_t i = 0; i < rows.size(); ++i) {
         for (const auto& [kind, place] : rows[i]) {
           if (kind < kinds) {
-            own[i].emplace_back(first_kind + kind, place.x, place.y);
-            add(place);
+            own[i].emplace_back(level_of(kind, place), place.x);
           }
         }
       }
@@ -362,26 +283,36 @@ uint32_t SectionWriter::put_anchors(const LayoutLookup& lookup,
     }
   }
   check(rows, 65535, "anchors of letters");
+  check(levels.size(), 65535, "heights of anchors");
+  uint32_t number = 0;
+  for (auto& [level, own] : levels) {
+    own = number++;
+  }
   const Column x(xs);
   const Column y(ys);
+  const unsigned level_bits =
+      width_of(std::max(static_cast<uint32_t>(levels.size()), 1u) - 1);
   const unsigned kind_bits = width_of(std::max(first_kind, 1u) - 1);
   const unsigned pool_bits = width_of(static_cast<uint32_t>(pool.size()));
   const unsigned count_bits = width_of(longest);
-  out.put_i16(x.least);
-  out.put_i16(y.least);
+  // Both are read as one number.
+  check(kind_bits + y.bits, format::bit_table::kMaxBits, "bits of a height");
+  if (lookup.type == shaping::kCursive) {
+    out.put_i16(x.least);
+  }
   for (const unsigned width :
-       {x.bits, y.bits, kind_bits, pool_bits, count_bits}) {
+       {level_bits, x.bits, kind_bits, y.bits, pool_bits, count_bits}) {
     out.put(width, 5);
   }
+  if (lookup.type == shaping::kCursive) {
+    out.put(lookup.flags & 1, 5);
+  }
+  out.put(static_cast<uint32_t>(levels.size()), 16);
   out.put(rows, 16);
-  const auto put_anchor = [&](unsigned kind, int at_x, int at_y) {
-    out.put(kind, kind_bits);
-    x.put(at_x, out);
-    y.put(at_y, out);
-  };
-  for (const auto& [glyph, kind, place] : marks) {
+  for (const auto& [glyph, level, at_x] : marks) {
     out.put(glyph, glyph_bits_);
-    put_anchor(kind, place.x, place.y);
+    out.put(levels.at(level), level_bits);
+    x.put(at_x, out);
   }
   for (const auto& [glyph, own] : bases) {
     for (const Row& row : own) {
@@ -390,8 +321,13 @@ uint32_t SectionWriter::put_anchors(const LayoutLookup& lookup,
       out.put(static_cast<uint32_t>(row.size()), count_bits);
     }
   }
-  for (const auto& [kind, at_x, at_y] : pool) {
-    put_anchor(kind, at_x, at_y);
+  for (const auto& [level, own] : levels) {
+    out.put(level.first, kind_bits);
+    y.put(level.second, out);
+  }
+  for (const auto& [level, at_x] : pool) {
+    out.put(levels.at(level), level_bits);
+    x.put(at_x, out);
   }
   return static_cast<uint32_t>(marks.size());
 }
@@ -407,16 +343,14 @@ uint32_t SectionWriter::put_data(const LayoutLookup& lookup,
     case shaping::kLigatures:
       return put_ligatures(lookup, out);
     case shaping::kContext:
+    case shaping::kReverse:
     case shaping::kPositionContext:
       return put_rules(lookup, is_gpos, out);
-    case shaping::kReverse:
-      return put_reverse(lookup, out);
     case shaping::kAdjust:
       return put_adjustments(lookup, out);
     case shaping::kPairs:
       return put_pairs(lookup, out);
     case shaping::kCursive:
-      return put_cursive(lookup, out);
     case shaping::kMarkToBase:
     case shaping::kMarkToLigature:
     case shaping::kMarkToMark:

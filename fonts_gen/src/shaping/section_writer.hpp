@@ -64,7 +64,15 @@ class SectionWriter {
         gsub_(source.file, HB_OT_TAG_GSUB, source.glyphs),
         gpos_(source.file, HB_OT_TAG_GPOS, source.glyphs),
         classes_(read_classes(source.file, source.glyphs, source.characters)),
-        glyph_bits_(width_of(static_cast<uint32_t>(source.glyph_count - 1))) {}
+        glyph_bits_(width_of(static_cast<uint32_t>(source.glyph_count - 1))) {
+    for (const auto* characters : {&source.characters, &source.drawings}) {
+      for (const auto& [c, glyph] : *characters) {
+        if (is_emoji(c)) {
+          emoji_.insert(glyph);
+        }
+      }
+    }
+  }
 
   Bytes write();
 
@@ -83,9 +91,19 @@ class SectionWriter {
     size_t positions = 0;
   };
 
+  // Stands for the lookup of drawings of several characters; numbers of lookups
+  // that no file has follow.
+  static constexpr unsigned kSequences = 0xffff;
+  static constexpr unsigned kFirstOwn = 0x10000;
+  static constexpr unsigned kUseSet = 16;  // a flag: mark_set counts
+
+  LayoutLookup read_lookup(const Key& key) const;
+  bool is_skipped(const LayoutLookup& lookup, uint16_t glyph) const;
+  void drop_skipped(LayoutLookup& lookup) const;
   unsigned number_of(const Key& key, unsigned depth);
   unsigned set_of(const GlyphIds& ids);
   void add_programs();
+  void add_reverse(unsigned number);
   void add_nested();
   void find_compositions();
   void find_spans();
@@ -105,13 +123,12 @@ class SectionWriter {
   uint32_t put_rules(const LayoutLookup& lookup,
                      bool is_gpos,
                      SectionBits& out);
-  uint32_t put_reverse(const LayoutLookup& lookup, SectionBits& out);
   uint32_t put_adjustments(const LayoutLookup& lookup, SectionBits& out) const;
   uint32_t put_pairs(const LayoutLookup& lookup, SectionBits& out) const;
-  uint32_t put_cursive(const LayoutLookup& lookup, SectionBits& out) const;
   uint32_t put_anchors(const LayoutLookup& lookup, SectionBits& out) const;
   unsigned filter_of(const LayoutLookup& lookup);
   void find_rows();
+  bool looks_at_space() const;
   void put_set(const GlyphIds& ids, SectionBits& out) const;
   void check(size_t count, size_t most, const char* what) const;
 
@@ -120,6 +137,7 @@ class SectionWriter {
   LayoutTable gpos_;
   GlyphClasses classes_;
   unsigned glyph_bits_;
+  GlyphIds emoji_;
 
   std::map<Key, unsigned> numbers_;
   std::vector<Key> keys_;

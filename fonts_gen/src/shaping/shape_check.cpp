@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/shaping/devanagari.hpp"
 #include "inkcell/shaping/shaping.hpp"
 
 namespace inkcell::gen {
@@ -81,6 +82,7 @@ class Reference {
     hb_buffer_set_direction(
         buffer, plan.is_right_to_left ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
     hb_buffer_set_script(buffer, plan.hb_script);
+    hb_buffer_set_flags(buffer, HB_BUFFER_FLAG_DO_NOT_INSERT_DOTTED_CIRCLE);
     if (!plan.language.empty()) {
       hb_buffer_set_language(buffer, hb_ot_tag_to_language(hb_tag_from_string(
                                          plan.language.data(), 4)));
@@ -156,6 +158,13 @@ class Random {
   uint64_t state_ = 1;
 };
 
+// Spaces, and controls and ends of lines, which HarfBuzz draws and devices
+// hide.
+bool is_hidden(char32_t c) {
+  return c <= ' ' || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 ||
+         (c >= 0xfff9 && c <= 0xfffb);
+}
+
 // A word of the characters of a plan, the first of which is of its script.
 std::u32string random_word(const std::vector<char32_t>& letters,
                            const std::vector<char32_t>& all,
@@ -202,7 +211,7 @@ class Checker {
   void open() {
     const bool is_open =
         Font::open({rom_.data(), rom_.size()}, font_) == Status::ok &&
-        Shaping::open(font_, shaping_) == Status::ok;
+        Shaping::open(font_, kDevanagari, shaping_) == Status::ok;
     if (!is_open) {
       throw Error("internal error: the device does not open section SHAP");
     }
@@ -235,10 +244,12 @@ class Checker {
       std::vector<char32_t> all;
       for (const auto& [c, glyph] : source_.characters) {
         const hb_script_t script = shaped_script(c);
-        if (script == source_.plans[i].hb_script) {
+        const bool is_own = script == source_.plans[i].hb_script;
+        const bool is_common = script == HB_SCRIPT_COMMON;
+        if (is_own && (!is_common || is_emoji(c) || c == 0x200d)) {
           letters.push_back(c);
           all.push_back(c);
-        } else if (script == HB_SCRIPT_COMMON && c > ' ') {
+        } else if (!is_own && is_common && !is_hidden(c)) {
           all.push_back(c);
         }
       }
@@ -258,7 +269,7 @@ class Checker {
     return plan;
   }
 
-  Status shape(const Word& word, Span<RunGlyph>& glyphs) {
+  Status shape(const Word& word, Span<TextGlyph>& glyphs) {
     const ShapePlan& plan = source_.plans[word.plan];
     const std::string bytes = to_text(word.text);
     const std::string& tag = plan.language;
@@ -274,15 +285,15 @@ class Checker {
   }
 
   Status status_of(const Word& word) {
-    Span<RunGlyph> glyphs;
+    Span<TextGlyph> glyphs;
     return shape(word, glyphs);
   }
 
   void compare(const Word& word) {
-    Span<RunGlyph> glyphs;
+    Span<TextGlyph> glyphs;
     const Status status = shape(word, glyphs);
     Shaped own;
-    for (const RunGlyph& glyph : glyphs) {
+    for (const TextGlyph& glyph : glyphs) {
       own.push_back(
           {glyph.glyph, glyph.cluster, glyph.advance, glyph.x, glyph.y});
     }
@@ -313,7 +324,7 @@ class Checker {
   Reference reference_;
   Font font_;
   Shaping shaping_;
-  std::vector<RunGlyph> room_;
+  std::vector<TextGlyph> room_;
 };
 
 }  // namespace

@@ -1,95 +1,12 @@
 #include "shaping/shape_tables.hpp"
 
-#include <fribidi.h>
-#include <hb-ot.h>
-
 #include <algorithm>
 #include <functional>
-#include <tuple>
 
 #include "base/error.hpp"
 #include "shaping/section_writer.hpp"
 
 namespace inkcell::gen {
-namespace {
-
-hb_unicode_funcs_t* unicode() {
-  return hb_unicode_funcs_get_default();
-}
-
-bool is_any_mark(char32_t c) {
-  const auto category = hb_unicode_general_category(unicode(), c);
-  return category == HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK ||
-         category == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
-         category == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK;
-}
-
-// Arabic marks that belong to the letter, before all others (UTR #53).
-bool is_modifier(char32_t c) {
-  static const CharSet kModifiers = {0x654, 0x655, 0x658, 0x6dc, 0x6e3,
-                                     0x6e7, 0x6e8, 0x8ca, 0x8cb, 0x8cd,
-                                     0x8ce, 0x8cf, 0x8d3, 0x8f3};
-  return kModifiers.count(c) != 0;
-}
-
-// The order of marks: classes of Unicode, changed as HarfBuzz does where those
-// do not order what is drawn.
-unsigned order_of(char32_t c) {
-  const unsigned kind =
-      static_cast<unsigned>(hb_unicode_combining_class(unicode(), c));
-  static const std::map<unsigned, unsigned> kChanged = {
-      {10, 22}, {11, 15}, {12, 16},   {13, 17},   {14, 23},  {15, 18},
-      {16, 19}, {17, 20}, {18, 21},   {19, 14},   {20, 24},  {21, 12},
-      {22, 25}, {23, 13}, {24, 10},   {25, 11},   {27, 28},  {28, 29},
-      {29, 30}, {30, 31}, {31, 32},   {32, 33},   {33, 27},  {84, 0},
-      {91, 0},  {103, 3}, {129, 129}, {130, 132}, {132, 131}};
-  if (is_modifier(c)) {
-    return kind == 220 ? 1 : 2;
-  }
-  const auto found = kChanged.find(kind);
-  return found == kChanged.end() ? kind : found->second;
-}
-
-unsigned hebrew_mark(char32_t c) {
-  switch (hb_unicode_combining_class(unicode(), c)) {
-    case HB_UNICODE_COMBINING_CLASS_CCC17:
-    case HB_UNICODE_COMBINING_CLASS_CCC18:
-      return shaping::kWideMark;
-    case HB_UNICODE_COMBINING_CLASS_CCC10:
-    case HB_UNICODE_COMBINING_CLASS_CCC14:
-      return shaping::kNarrowMark;
-    case HB_UNICODE_COMBINING_CLASS_CCC22:
-    case HB_UNICODE_COMBINING_CLASS_BELOW:
-      return shaping::kLowMark;
-    default:
-      return shaping::kMark;
-  }
-}
-
-unsigned joining_of(char32_t c) {
-  if (c == 0x200c) {
-    return shaping::kJoinsNone;
-  }
-  if (c == 0x200d) {
-    return shaping::kJoinsDual;
-  }
-  const FriBidiJoiningType type = fribidi_get_joining_type(c);
-  if (FRIBIDI_IS_JOINING_TYPE_R(type)) {
-    return shaping::kJoinsRight;
-  }
-  if (FRIBIDI_IS_JOINING_TYPE_D(type) || FRIBIDI_IS_JOINING_TYPE_C(type)) {
-    return shaping::kJoinsDual;
-  }
-  if (FRIBIDI_IS_JOINING_TYPE_L(type)) {
-    return shaping::kJoinsLeft;
-  }
-  const auto category = hb_unicode_general_category(unicode(), c);
-  return is_any_mark(c) || category == HB_UNICODE_GENERAL_CATEGORY_FORMAT
-             ? shaping::kMark
-             : shaping::kJoinsNone;
-}
-
-}  // namespace
 
 void SectionWriter::check(size_t count, size_t most, const char* what) const {
   if (count > most) {
@@ -99,13 +16,82 @@ void SectionWriter::check(size_t count, size_t most, const char* what) const {
   }
 }
 
+LayoutLookup SectionWriter::read_lookup(const Key& key) const {
+  LayoutLookup lookup;
+  if (key != Key(false, kSequences)) {
+    lookup = (key.first ? gpos_ : gsub_).lookup(key.second);
+    drop_skipped(lookup);
+    return lookup;
+  }
+  lookup.type = shaping::kLigatures;
+  // Those that begin with others come before them.
+  for (auto one = source_.sequences.rbegin(); one != source_.sequences.rend();
+       ++one) {
+    const auto& [glyphs, drawing] = *one;
+    lookup.ligatures[glyphs.front()].push_back(
+        {{glyphs.begin() + 1, glyphs.end()}, drawing});
+  }
+  return lookup;
+}
+
+// Whether a lookup looks over a glyph.
+bool SectionWriter::is_skipped(const LayoutLookup& lookup,
+                               uint16_t glyph) const {
+  const auto found = classes_.kinds.find(glyph);
+  const unsigned kind = found == classes_.kinds.end() ? 0 : found->second;
+  if (kind == 0 || (lookup.flags >> kind & 1) != 0) {
+    return kind != 0;
+  }
+  if (kind != 3) {
+    return false;
+  }
+  if ((lookup.flags & kUseSet) != 0) {
+    return lookup.mark_set >= classes_.mark_sets.size() ||
+           classes_.mark_sets[lookup.mark_set].count(glyph) == 0;
+  }
+  const auto of_glyph = classes_.mark_classes.find(glyph);
+  return lookup.flags >> 8 != 0 && (of_glyph == classes_.mark_classes.end() ||
+                                    of_glyph->second != lookup.flags >> 8);
+}
+
+// Takes away what the lookup would look over where it begins, so that devices
+// need not look, and says for marks what they look over to find their bases.
+void SectionWriter::drop_skipped(LayoutLookup& lookup) const {
+  const auto drop = [&](auto& map, auto glyph_of) {
+    for (auto one = map.begin(); one != map.end();) {
+      one =
+          is_skipped(lookup, glyph_of(*one)) ? map.erase(one) : std::next(one);
+    }
+  };
+  const auto first = [](const auto& entry) { return entry.first; };
+  drop(lookup.replaced, first);
+  drop(lookup.ligatures, first);
+  drop(lookup.adjusted, first);
+  drop(lookup.kerned, [](const auto& entry) { return entry.first.first; });
+  for (LayoutRule& rule : lookup.rules) {
+    drop(rule.input.front(), [](uint16_t glyph) { return glyph; });
+  }
+  for (LayoutAnchors& subtable : lookup.anchors) {
+    drop(subtable.marks, first);
+    if (subtable.bases.empty()) {
+      subtable.marks.clear();
+    }
+  }
+  if (lookup.type == shaping::kMarkToBase ||
+      lookup.type == shaping::kMarkToLigature) {
+    lookup.flags = 1u << shaping::kMarkClass;
+  } else if (lookup.type == shaping::kMarkToMark) {
+    lookup.flags &= ~0xeu;
+  }
+}
+
 unsigned SectionWriter::number_of(const Key& key, unsigned depth) {
   check(depth, shaping::kMaxDepth, "lookups within each other");
   const auto [found, is_new] =
       numbers_.emplace(key, static_cast<unsigned>(keys_.size()));
   if (is_new) {
     keys_.push_back(key);
-    lookups_.push_back((key.first ? gpos_ : gsub_).lookup(key.second));
+    lookups_.push_back(read_lookup(key));
   }
   return found->second;
 }
@@ -122,11 +108,24 @@ unsigned SectionWriter::set_of(const GlyphIds& ids) {
 void SectionWriter::add_programs() {
   for (const ShapePlan& plan : source_.plans) {
     Program program = {&plan, entries_.size(), 0, 0};
+    const bool is_emoji_plan = (plan.flags & shaping::kEmoji) != 0;
+    const auto concerns = [&](const LayoutLookup& lookup) {
+      const GlyphIds ids = lookup.covered();
+      return is_emoji_plan
+                 ? std::any_of(ids.begin(), ids.end(),
+                               [&](uint16_t id) { return emoji_.count(id); })
+                 : !ids.empty();
+    };
     const auto add = [&](const std::vector<ShapeEntry>& entries, bool is_gpos) {
       size_t count = 0;
       for (const ShapeEntry& entry : entries) {
+        if (entry.mask == 0) {
+          entries_.push_back({entry.lookup, 0, false});
+          ++count;
+          continue;
+        }
         const Key key(is_gpos, entry.lookup);
-        if ((is_gpos ? gpos_ : gsub_).lookup(entry.lookup).empty()) {
+        if (!concerns(read_lookup(key))) {
           continue;
         }
         entries_.push_back({number_of(key, 0), entry.mask, entry.manual_zwj});
@@ -135,16 +134,40 @@ void SectionWriter::add_programs() {
       return count;
     };
     program.substitutions = add(plan.substitutions, false);
+    if (is_emoji_plan && !source_.sequences.empty()) {
+      program.substitutions +=
+          add({{kSequences, shaping::kAnyForm, false}}, false);
+    }
     program.positions = add(plan.positions, true);
     programs_.push_back(program);
   }
   top_ = keys_.size();
 }
 
+// Of a reverse lookup: each rule names one that replaces its glyph.
+void SectionWriter::add_reverse(unsigned number) {
+  for (size_t i = 0; i < lookups_[number].rules.size(); ++i) {
+    LayoutRule& rule = lookups_[number].rules[i];
+    LayoutLookup single;
+    single.type = shaping::kSingle;
+    for (const auto& [from, to] : rule.pairs) {
+      single.replaced[from] = {to};
+    }
+    const Key key(false, kFirstOwn + static_cast<unsigned>(keys_.size()));
+    rule.actions = {{0, key.second}};
+    numbers_.emplace(key, static_cast<unsigned>(keys_.size()));
+    keys_.push_back(key);
+    lookups_.push_back(single);
+  }
+}
+
 // Lookups that rules alone name.
 void SectionWriter::add_nested() {
   std::function<void(unsigned, unsigned)> visit = [&](unsigned number,
                                                       unsigned depth) {
+    if (lookups_[number].type == shaping::kReverse) {
+      return add_reverse(number);
+    }
     const bool is_gpos = keys_[number].first;
     const std::vector<LayoutRule> rules = lookups_[number].rules;
     for (const LayoutRule& rule : rules) {
@@ -158,145 +181,7 @@ void SectionWriter::add_nested() {
   }
 }
 
-void SectionWriter::find_compositions() {
-  std::map<char32_t, unsigned> numbers;
-  for (const auto& [composed, glyph] : source_.characters) {
-    hb_codepoint_t letter = 0;
-    hb_codepoint_t mark = 0;
-    hb_codepoint_t again = 0;
-    if (composed > 0xffff ||
-        hb_unicode_decompose(unicode(), composed, &letter, &mark) == 0 ||
-        mark == 0 || hb_unicode_compose(unicode(), letter, mark, &again) == 0 ||
-        again != composed || source_.characters.count(letter) == 0 ||
-        source_.characters.count(mark) == 0 || order_of(mark) == 0) {
-      continue;
-    }
-    const auto [found, is_new] =
-        numbers.emplace(mark, static_cast<unsigned>(marks_.size() + 1));
-    if (is_new) {
-      marks_.push_back(mark);
-    }
-    compositions_.push_back({found->second, letter, composed});
-  }
-  std::sort(compositions_.begin(), compositions_.end(),
-            [](const Composition& a, const Composition& b) {
-              return std::tie(a.letter, a.mark) < std::tie(b.letter, b.mark);
-            });
-  char32_t most = 0;
-  for (const Composition& one : compositions_) {
-    most = std::max({most, one.letter, one.composed});
-  }
-  letter_bits_ = width_of(most);
-  mark_bits_ = width_of(static_cast<uint32_t>(marks_.size()));
-  check(marks_.size(), 127, "marks that compose");
-  // Both are looked for as one number.
-  check(letter_bits_ + mark_bits_, format::bit_table::kMaxBits,
-        "bits of a composition");
-}
-
-ShapeTraits SectionWriter::traits_of(char32_t c) const {
-  ShapeTraits traits;
-  const bool joins = std::any_of(
-      programs_.begin(), programs_.end(), [](const Program& program) {
-        return (program.plan->flags & shaping::kJoins) != 0;
-      });
-  if (is_any_mark(c)) {
-    traits.joining =
-        shaped_script(c) == HB_SCRIPT_HEBREW ? hebrew_mark(c) : shaping::kMark;
-    const auto rank = ranks_.find(order_of(c));
-    traits.rank = rank == ranks_.end() ? 0 : rank->second;
-    const auto mark = std::find(marks_.begin(), marks_.end(), c);
-    traits.mark = mark == marks_.end()
-                      ? 0
-                      : static_cast<unsigned>(mark - marks_.begin() + 1);
-  } else if (joins) {
-    traits.joining = joining_of(c);
-  }
-  return traits;
-}
-
-// Characters whose traits are not plain: of the font, and all that join or are
-// marks in the block of a script, so that letters also join with those that
-// the font lacks.
-void SectionWriter::find_spans() {
-  CharSet all;
-  for (const auto& [c, glyph] : source_.characters) {
-    all.insert(c);
-  }
-  for (const Program& program : programs_) {
-    if ((program.plan->flags & shaping::kJoins) != 0) {
-      for (char32_t c = 0x600; c < 0x700; ++c) {
-        all.insert(c);
-      }
-      all.insert({0x200c, 0x200d});
-    }
-  }
-  std::set<unsigned> orders;
-  for (const char32_t c : all) {
-    if (is_any_mark(c) && order_of(c) != 0) {
-      orders.insert(order_of(c));
-    }
-  }
-  for (const unsigned order : orders) {
-    ranks_.emplace(order, static_cast<unsigned>(ranks_.size() + 1));
-  }
-  rank_bits_ = width_of(static_cast<uint32_t>(ranks_.size()));
-  std::map<ShapeTraits, unsigned> numbers = {{ShapeTraits(), 0}};
-  properties_.push_back(ShapeTraits());
-  constexpr char32_t kGap = 12;  // a span costs more than so many characters
-  for (const char32_t c : all) {
-    const ShapeTraits traits = traits_of(c);
-    if (traits.is_plain()) {
-      continue;
-    }
-    const auto [found, is_new] =
-        numbers.emplace(traits, static_cast<unsigned>(properties_.size()));
-    if (is_new) {
-      properties_.push_back(traits);
-    }
-    if (spans_.empty() ||
-        c - spans_.back().first - spans_.back().properties.size() > kGap) {
-      spans_.push_back({c, {}});
-    }
-    Span& span = spans_.back();
-    span.properties.resize(c - span.first, 0);
-    span.properties.push_back(found->second);
-  }
-  check(properties_.size(), 255, "kinds of characters");
-  check(spans_.size(), 255, "spans of characters");
-}
-
-// Ranges of characters of the font by the first program of their script.
-// Marks of all scripts belong to what is before them.
-std::vector<SectionWriter::ScriptRange> SectionWriter::find_scripts() const {
-  std::vector<ScriptRange> ranges;
-  bool is_open = false;
-  for (const auto& [c, glyph] : source_.characters) {
-    const hb_script_t script = shaped_script(c);
-    if (script == HB_SCRIPT_COMMON && is_any_mark(c)) {
-      continue;
-    }
-    const auto found = std::find_if(
-        programs_.begin(), programs_.end(),
-        [&](const auto& one) { return one.plan->hb_script == script; });
-    if (found == programs_.end()) {
-      is_open = false;
-      continue;
-    }
-    const auto program = static_cast<unsigned>(found - programs_.begin());
-    if (is_open && ranges.back().program == program) {
-      ranges.back().last = c;
-    } else {
-      ranges.push_back({c, c, program});
-      is_open = true;
-    }
-  }
-  check(ranges.size(), 255, "ranges of characters");
-  return ranges;
-}
-
 unsigned SectionWriter::filter_of(const LayoutLookup& lookup) {
-  constexpr unsigned kUseSet = 16;
   if ((lookup.flags & kUseSet) != 0) {
     return set_of(lookup.mark_set < classes_.mark_sets.size()
                       ? classes_.mark_sets[lookup.mark_set]
@@ -361,26 +246,44 @@ void SectionWriter::find_rows() {
   check(rows_.size(), 256, "kinds of glyphs");
 }
 
-std::vector<std::pair<char32_t, char32_t>> SectionWriter::find_mirrors() const {
-  std::vector<std::pair<char32_t, char32_t>> mirrors;
-  const bool is_any = std::any_of(
-      programs_.begin(), programs_.end(),
-      [](const Program& program) { return program.plan->is_right_to_left; });
-  for (const auto& [c, glyph] : source_.characters) {
-    const char32_t other = hb_unicode_mirroring(unicode(), c);
-    if (is_any && other != c && source_.characters.count(other) != 0 &&
-        std::max(c, other) <= 0xffff) {
-      mirrors.emplace_back(c, other);
-    }
+// Whether a lookup has other results where spaces are near.
+bool SectionWriter::looks_at_space() const {
+  const auto found = source_.characters.find(U' ');
+  if (found == source_.characters.end() || source_.kerns_space) {
+    return source_.kerns_space;
   }
-  check(mirrors.size(), 255, "characters with mirror images");
-  return mirrors;
+  const uint16_t space = found->second;
+  const auto has = [&](const GlyphIds& ids) { return ids.count(space) != 0; };
+  return std::any_of(sets_.begin(), sets_.end(), has) ||
+         std::any_of(lookups_.begin(), lookups_.end(), [&](const auto& lookup) {
+           bool is_found = false;
+           for (const auto& [pair, value] : lookup.kerned) {
+             is_found |= (pair.first == space || pair.second == space) &&
+                         value != std::pair(0, 0);
+           }
+           LayoutLookup others = lookup;
+           others.kerned.clear();
+           is_found |= has(others.covered());
+           for (const auto& [first, ligatures] : lookup.ligatures) {
+             for (const LayoutLookup::Ligature& one : ligatures) {
+               is_found |=
+                   std::count(one.rest.begin(), one.rest.end(), space) != 0;
+             }
+           }
+           for (const LayoutAnchors& anchors : lookup.anchors) {
+             is_found |= anchors.bases.count(space) != 0;
+           }
+           return is_found;
+         });
 }
 
 Bytes SectionWriter::write() {
   add_programs();
   add_nested();
   find_compositions();
+  if (keys_.empty() && compositions_.empty()) {
+    return {};
+  }
   find_spans();
   find_sets();
   find_rows();
@@ -388,6 +291,9 @@ Bytes SectionWriter::write() {
   check(entries_.size(), 65535, "lookups of programs");
   check(compositions_.size(), 65535, "composed letters");
   const std::vector<ScriptRange> scripts = find_scripts();
+  if (scripts.empty()) {
+    return {};
+  }
   const auto mirrors = find_mirrors();
   SectionBits data;
   std::vector<uint32_t> counts;
@@ -436,17 +342,18 @@ Bytes SectionWriter::write() {
     check(count, 255, "rows of a short table");
     put_u8(out, static_cast<unsigned>(count));
   }
+  SectionBits bits;
   for (const unsigned width :
        {glyph_bits_, rank_bits_, mark_bits_, letter_bits_, offset_bits,
         property_bits, lookup_bits_, set_bits_, row_bits}) {
-    put_u8(out, width);
+    bits.put(width, shaping::kWidthBits);
   }
-  SectionBits bits;
   for (const ScriptRange& range : scripts) {
     bits.put(range.first, shaping::kCodeBits);
     bits.put(range.last - range.first, shaping::kCodeBits);
     bits.put(range.program, 8);
   }
+  const uint32_t free_space = looks_at_space() ? 0 : shaping::kSpaceIsFree;
   for (const Program& program : programs_) {
     const auto put_tag = [&](const std::string& tag) {
       for (size_t i = 0; i < 4; ++i) {
@@ -455,7 +362,7 @@ Bytes SectionWriter::write() {
     };
     put_tag(program.plan->script);
     put_tag(program.plan->language);
-    bits.put(program.plan->flags, 8);
+    bits.put(program.plan->flags | free_space, 8);
     bits.put(static_cast<uint32_t>(program.first), 16);
     check(program.substitutions, 255, "lookups of a program");
     check(program.positions, 255, "lookups of a program");
@@ -522,6 +429,15 @@ Bytes SectionWriter::write() {
 }
 
 Bytes shape_section(const ShapeSource& source) {
+  return SectionWriter(source).write();
+}
+
+Bytes composing_section(ShapeSource source) {
+  ShapePlan marks;
+  marks.script = "DFLT";
+  marks.hb_script = HB_SCRIPT_INHERITED;
+  source.plans = {marks};
+  source.glyph_count = 1;
   return SectionWriter(source).write();
 }
 

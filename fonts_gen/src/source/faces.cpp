@@ -302,8 +302,12 @@ void merge_font(SourceFont part, SourceFont& font) {
     SourceGlyph& glyph = part.glyphs[i];
     glyph.advance = std::clamp(scale(glyph.advance), 0, 65535);
     if (is_moved) {
-      map({face.scale, 0, 0, face.scale, 0, face.shift_em * kUPerEm},
-          glyph.outline);
+      const Affine to_font = {face.scale, 0, 0,
+                              face.scale, 0, face.shift_em * kUPerEm};
+      map(to_font, glyph.outline);
+      for (PaintedOutline& layer : glyph.painted) {
+        map(to_font, layer.outline);
+      }
     }
     font.glyphs.push_back(std::move(glyph));
     // Offsets of components are whole font units, which scaled ones would not
@@ -359,6 +363,12 @@ SourceFont load_faces(const FontRequest& first,
         files.front(), shape_additions(plans, request.characters)));
     request.lines.glyphs.merge(
         shape_closure(files.front(), plans, request.characters));
+  }
+  if (request.keep_layout) {
+    request.characters.merge(
+        characters_in(files.front(), decompositions(request.characters)));
+    request.lines.glyphs.merge(
+        layout_closure(files.front(), request.characters));
   }
   SourceFont font = load_font(files.front(), request, jobs, warnings);
   tell_of_default(files.front(), !first.axes.empty() || !first.instance.empty(),

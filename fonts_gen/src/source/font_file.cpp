@@ -247,6 +247,15 @@ void FontFile::select_character_map() {
   }
 }
 
+std::vector<uint8_t> FontFile::table(hb_tag_t tag) const {
+  hb_blob_t* blob = hb_face_reference_table(hb_face(), tag);
+  unsigned size = 0;
+  const char* data = hb_blob_get_data(blob, &size);
+  std::vector<uint8_t> bytes(data, data + size);
+  hb_blob_destroy(blob);
+  return bytes;
+}
+
 uint32_t FontFile::glyph_of(char32_t code_point) const {
   const uint32_t glyph = FT_Get_Char_Index(ft(), code_point);
   // Symbol fonts keep ASCII at U+F000.

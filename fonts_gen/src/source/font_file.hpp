@@ -56,6 +56,9 @@ class FontFile {
   /// there is none.
   uint32_t glyph_of(char32_t code_point) const;
 
+  /// The bytes of a table of the face; empty if there is none.
+  std::vector<uint8_t> table(hb_tag_t tag) const;
+
   /// The file name without folders, for messages and reports.
   const std::string& file_name() const { return file_name_; }
   /// The axes and their values.

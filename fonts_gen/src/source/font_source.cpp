@@ -7,6 +7,7 @@
 #include <map>
 
 #include "source/composites.hpp"
+#include "source/font_layers.hpp"
 #include "source/glyph_reader.hpp"
 
 namespace inkcell::gen {
@@ -44,7 +45,8 @@ void warn_of_pictures(const FontFile& file,
   std::string names;
   size_t count = 0;
   for (const SourceGlyph& glyph : font.glyphs) {
-    if (!has_area(glyph.outline) && has_picture(file, glyph.source)) {
+    if (!has_area(glyph.outline) && glyph.painted.empty() &&
+        has_picture(file, glyph.source)) {
       if (count < kListedCharacters) {
         names += (count == 0 ? "" : ", ") + glyph.name();
       }
@@ -202,6 +204,9 @@ std::string SourceGlyph::name() const {
   if (!master.empty()) {
     return master;
   }
+  if (!layer_of.empty()) {
+    return "layer of " + layer_of;
+  }
   if (!code_points.empty()) {
     return describe(code_points.front());
   }
@@ -301,6 +306,9 @@ SourceFont load_font(const FontFile& file,
   for (SourceGlyph& glyph : font.glyphs) {
     glyph.file_name = font.file_name;
     read_glyph(file, glyph, warnings);
+    if (request.has_colours && !glyph.code_points.empty()) {
+      read_layers(file, glyph, warnings);
+    }
   }
   warn_of_pictures(file, font, warnings);
   font.kerning = read_kerning(file, kerning_glyphs(font, asked), jobs);

@@ -10,6 +10,8 @@
 
 #include "base/error.hpp"
 #include "shape/outline.hpp"
+#include "shape/paint.hpp"
+#include "shape/shape.hpp"
 #include "source/char_set.hpp"
 #include "source/components.hpp"
 #include "source/font_file.hpp"
@@ -52,8 +54,11 @@ struct FontRequest {
   /// Also add components of other glyphs, such as accents: at the end of the
   /// list, without code points.
   bool with_components = false;
+  /// Whether glyphs of several colours keep their layers.
+  bool has_colours = false;
   /// Scripts that the device shapes with the glyphs of this face.
   std::vector<ShapeScript> shapes;
+  bool keep_layout = false;  // HarfBuzz shapes with this face
 };
 
 /// Metrics of the face, in font units, y up.
@@ -66,19 +71,32 @@ struct SourceMetrics {
   int cap_height = 0;
 };
 
+/// A glyph in a colour.
+struct LayerReference {
+  size_t layer = 0;   // among the glyphs that are layers
+  size_t colour = 0;  // in SourceFont::colours; see format::layers
+};
+
 /// A glyph of the font to be made.
 struct SourceGlyph {
   std::string file_name;              // the font or drawing it comes from
   uint32_t source = 0;                // id in the font file
   std::vector<char32_t> code_points;  // none: .notdef, or as stated below
   bool is_of_line = false;            // a shaped line has it; else a component
+  std::u32string sequence;            // of characters that it draws, if several
   /// Of a second master: "U+0041 'A' at wght 800". It has no code points, and
   /// the source and the face of the plain glyph.
   std::string master;
   size_t face = 0;                 // number of its file
   Outline outline;                 // [u]
   std::optional<Picture> picture;  // of a bitmap font, instead
-  int advance = 0;                 // [font units]
+  /// Of a glyph of several colours, from below.
+  std::vector<PaintedOutline> painted;
+  std::vector<LayerReference> layers;  // the same as glyphs
+  Box layers_box;                      // [u] of their ink
+  /// Of such a layer, which has no code points: "U+2600".
+  std::string layer_of;
+  int advance = 0;  // [font units]
 
   /// How messages and reports name the glyph.
   std::string name() const;
@@ -117,6 +135,9 @@ struct SourceFont {
   CharSet added;
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;  // in order of priority
+  /// Of layers, in each palette of the file.
+  std::vector<std::vector<Paint>> palettes;
+  size_t layer_count = 0;  // glyphs at the end that are layers
   /// Of bitmap fonts: their size and bits of a pixel. 0: there are none.
   int pixel_px = 0;
   int pixel_bits = 0;
@@ -124,7 +145,8 @@ struct SourceFont {
   /// Whether text may show a glyph; false for mere components.
   bool is_shown(size_t glyph) const {
     return glyph == 0 || !glyphs[glyph].code_points.empty() ||
-           glyphs[glyph].is_of_line || !glyphs[glyph].master.empty();
+           glyphs[glyph].is_of_line || !glyphs[glyph].master.empty() ||
+           !glyphs[glyph].layer_of.empty();
   }
 };
 

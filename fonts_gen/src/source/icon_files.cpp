@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "source/char_set.hpp"
+#include "source/shape_script.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -82,10 +83,34 @@ Stem split_stem(std::string_view stem) {
           stem.substr(std::min(end + 1, stem.size()))};
 }
 
+// The emoji that a file name such as "1f468-200d-1f469" is of; empty: none.
+std::u32string emoji_of(std::string stem) {
+  constexpr std::string_view kNoto = "emoji_u";
+  if (stem.compare(0, kNoto.size(), kNoto) == 0) {
+    stem.erase(0, kNoto.size());
+  }
+  std::u32string emoji;
+  bool is_emoji_name = false;
+  std::replace(stem.begin(), stem.end(), '_', '-');
+  std::istringstream parts(stem);
+  for (std::string part; std::getline(parts, part, '-');) {
+    const auto c = parse_hex(part);
+    const bool is_key = part.size() == 2 && emoji.empty();
+    if (!c || part.size() > 6 || (part.size() < 4 && !is_key)) {
+      return {};
+    }
+    is_emoji_name = is_emoji_name || is_emoji(*c);
+    if (*c != 0xfe0f) {
+      emoji += *c;
+    }
+  }
+  return is_emoji_name ? emoji : std::u32string();
+}
+
 IconFile make_icon(const std::filesystem::path& file, char32_t code_point) {
   const std::string stem = file.stem().string();
   const Stem parts = split_stem(stem);
-  return {file, code_point, name_of(parts.rest, code_point)};
+  return {file, code_point, {}, name_of(parts.rest, code_point)};
 }
 
 // "wifi.svg=0xE001".
@@ -138,7 +163,8 @@ std::vector<IconFile> listed_icons(const std::filesystem::path& folder) {
 }
 
 // The drawings of a folder; those without a code point have 0.
-std::vector<IconFile> icons_of_folder(const std::filesystem::path& folder) {
+std::vector<IconFile> icons_of_folder(const std::filesystem::path& folder,
+                                      bool has_emoji) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
     throw Error(folder.string() + ": is no folder; check the --svg-dir");
@@ -150,8 +176,15 @@ std::vector<IconFile> icons_of_folder(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".svg") {
       const std::string stem = entry.path().stem().string();
-      icons.push_back(
-          make_icon(entry.path(), split_stem(stem).code_point.value_or(0)));
+      const std::u32string emoji =
+          has_emoji ? emoji_of(stem) : std::u32string();
+      icons.push_back(make_icon(entry.path(),
+                                emoji.size() == 1
+                                    ? emoji.front()
+                                    : split_stem(stem).code_point.value_or(0)));
+      if (emoji.size() > 1) {
+        icons.back().sequence = emoji;
+      }
     }
   }
   if (icons.empty()) {
@@ -177,14 +210,24 @@ void check(const IconFile& icon) {
 
 std::vector<IconFile> find_icons(
     const std::vector<std::string>& files,
-    const std::vector<std::filesystem::path>& folders) {
+    const std::vector<std::filesystem::path>& folders,
+    bool has_emoji) {
   std::vector<IconFile> icons;
+  std::map<std::u32string, IconFile> sequences;
   for (const std::string& text : files) {
     icons.push_back(parse_icon(text));
   }
   for (const std::filesystem::path& folder : folders) {
-    const std::vector<IconFile> more = icons_of_folder(folder);
-    icons.insert(icons.end(), more.begin(), more.end());
+    for (const IconFile& icon : icons_of_folder(folder, has_emoji)) {
+      if (icon.sequence.empty()) {
+        icons.push_back(icon);
+      } else if (const auto [found, is_new] =
+                     sequences.emplace(icon.sequence, icon);
+                 !is_new) {
+        throw Error(icon.file.string() + ": is the emoji of " +
+                    found->second.file.string() + " already; remove one");
+      }
+    }
   }
   std::map<char32_t, const IconFile*> by_code;
   const auto add = [&](const IconFile& icon) {
@@ -220,6 +263,9 @@ std::vector<IconFile> find_icons(
   }
   std::sort(icons.begin(), icons.end(),
             [](auto& a, auto& b) { return a.code_point < b.code_point; });
+  for (const auto& [sequence, icon] : sequences) {
+    icons.push_back(icon);
+  }
   return icons;
 }
 

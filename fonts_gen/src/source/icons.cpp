@@ -14,13 +14,22 @@ namespace {
 constexpr int kUnitsPerEm = 1024;
 constexpr double kCapHeight_em = 0.7;
 constexpr int kMostAdvance = 65535;
+constexpr uint32_t kFirstSequence = 0x110000;  // sources behind code points
 
 int units(double em) {
   return static_cast<int>(std::lround(em * kUnitsPerEm));
 }
 
+// Whether layers are but one outline in the colour of text.
+bool is_plain(const std::vector<PaintedOutline>& layers) {
+  const Paint& paint = layers[0].paint;
+  return layers.size() == 1 && (paint == Paint() || paint.is_ink) &&
+         paint.opacity == 255;
+}
+
 SourceGlyph make_glyph(const IconFile& icon,
                        const IconPlace& place,
+                       bool has_colours,
                        const SourceMetrics& metrics) {
   const SvgDrawing drawing(icon.file);
   const std::optional<ViewBox> box = drawing.view_box();
@@ -34,11 +43,26 @@ SourceGlyph make_glyph(const IconFile& icon,
   SourceGlyph glyph;
   glyph.face = kIconFace;
   glyph.source = icon.code_point;
-  glyph.code_points = {icon.code_point};
+  if (icon.sequence.empty()) {
+    glyph.code_points = {icon.code_point};
+  } else {
+    glyph.is_of_line = true;
+    glyph.sequence = icon.sequence;
+  }
   glyph.file_name = icon.file.filename().string();
-  glyph.outline =
-      drawing.outline({scale, 0, 0, -scale, -scale * box->x,
-                       placed.bottom + placed.height + scale * box->y});
+  const Affine to_u = {scale,
+                       0,
+                       0,
+                       -scale,
+                       -scale * box->x,
+                       placed.bottom + placed.height + scale * box->y};
+  if (has_colours) {
+    glyph.painted = drawing.layers(to_u);
+  }
+  if (!has_colours || is_plain(glyph.painted)) {
+    glyph.painted.clear();
+    glyph.outline = drawing.outline(to_u);
+  }
   const double advance = scale * box->width * metrics.units_per_em / kUPerEm;
   if (!(advance <= kMostAdvance)) {
     throw Error(icon.file.string() +
@@ -46,6 +70,32 @@ SourceGlyph make_glyph(const IconFile& icon,
   }
   glyph.advance = static_cast<int>(std::lround(advance));
   return glyph;
+}
+
+// Gives the characters of an emoji glyphs, those that show nothing alone.
+void add_parts(const IconFile& icon,
+               std::map<char32_t, std::string>& taken,
+               SourceFont& font) {
+  for (const char32_t c : icon.sequence) {
+    const bool is_part = c == 0x200d || c == 0x20e3 ||
+                         (c >= 0x1f1e6 && c <= 0x1f1ff) ||
+                         (c >= 0x1f3fb && c <= 0x1f3ff) || c >= 0xe0000;
+    const std::string file_name = icon.file.filename().string();
+    if (!taken.emplace(c, file_name).second) {
+      continue;
+    }
+    if (!is_part) {
+      throw Error(icon.file.string() + ": begins with or has " + describe(c) +
+                  ", of which there is no glyph; add a drawing of it, or ask "
+                  "for the character with --chars");
+    }
+    SourceGlyph part;
+    part.face = kIconFace;
+    part.source = c;
+    part.code_points = {c};
+    part.file_name = file_name;
+    font.glyphs.push_back(part);
+  }
 }
 
 }  // namespace
@@ -65,6 +115,7 @@ SourceFont font_for_icons() {
 
 void add_icons(const std::vector<IconFile>& icons,
                const IconPlace& place,
+               bool has_colours,
                SourceFont& font) {
   std::map<char32_t, std::string> taken;
   for (const SourceGlyph& glyph : font.glyphs) {
@@ -73,7 +124,15 @@ void add_icons(const std::vector<IconFile>& icons,
     }
   }
   CharSet missing(font.missing.begin(), font.missing.end());
+  uint32_t sequences = 0;
   for (const IconFile& icon : icons) {
+    if (!icon.sequence.empty()) {
+      add_parts(icon, taken, font);
+      font.glyphs.push_back(make_glyph(icon, place, has_colours, font.metrics));
+      font.glyphs.back().source = kFirstSequence + sequences++;
+      continue;
+    }
+    font.icons.push_back(icon);
     const auto found = taken.find(icon.code_point);
     if (found != taken.end()) {
       throw Error(icon.file.string() + ": " + describe(icon.code_point) +
@@ -81,14 +140,14 @@ void add_icons(const std::vector<IconFile>& icons,
                   " already; choose another code point, or ask for fewer "
                   "characters with --chars");
     }
-    font.glyphs.push_back(make_glyph(icon, place, font.metrics));
+    font.glyphs.push_back(make_glyph(icon, place, has_colours, font.metrics));
+    taken.emplace(icon.code_point, font.glyphs.back().file_name);
     missing.erase(icon.code_point);
     for (ShapedLine& line : font.lines) {
       place_icon(icon.code_point, font.glyphs.back().advance, line);
     }
   }
   font.missing.assign(missing.begin(), missing.end());
-  font.icons.insert(font.icons.end(), icons.begin(), icons.end());
   font.file_name += (font.file_name.empty() ? "" : ", ") +
                     std::to_string(icons.size()) +
                     (icons.size() == 1 ? " icon" : " icons");

@@ -15,10 +15,12 @@ namespace inkcell::gen {
 SourceFont font_for_icons();
 
 /// Adds icons as glyphs to `font` and to its lines; an icon is as wide as its
-/// viewBox. Their code points are no longer missing. Throws Error, also for a
-/// code point that the font already has.
+/// viewBox. Their code points are no longer missing. `has_colours`: drawings of
+/// other colours than black alone have layers. Throws Error, also for a code
+/// point that the font already has.
 void add_icons(const std::vector<IconFile>& icons,
                const IconPlace& place,
+               bool has_colours,
                SourceFont& font);
 
 }  // namespace inkcell::gen

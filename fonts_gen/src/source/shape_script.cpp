@@ -27,6 +27,8 @@ constexpr KnownScript kScripts[] = {
     {"arab", HB_SCRIPT_ARABIC, true, shaping::kJoins},
     {"armn", HB_SCRIPT_ARMENIAN, false, 0},
     {"cyrl", HB_SCRIPT_CYRILLIC, false, 0},
+    {"deva", HB_SCRIPT_DEVANAGARI, false, shaping::kSyllables},
+    {"emoj", HB_SCRIPT_COMMON, false, shaping::kEmoji},
     {"geor", HB_SCRIPT_GEORGIAN, false, 0},
     {"grek", HB_SCRIPT_GREEK, false, 0},
     {"hebr", HB_SCRIPT_HEBREW, true, shaping::kHebrew},
@@ -62,7 +64,9 @@ hb_tag_t hb_tag(const std::string& text) {
   std::string known;
   for (const KnownScript& script : kScripts) {
     known += std::string(known.empty() ? "" : ", ") +
-             std::string(script.tag, script.tag[3] == ' ' ? 3 : 4);
+             (script.flags == shaping::kEmoji
+                  ? "emoji"
+                  : std::string(script.tag, script.tag[3] == ' ' ? 3 : 4));
   }
   throw Error("--shape '" + item + "': write scripts such as arab,hebr; " +
               "languages in capitals: arab:FAS,URD; features: latn+smcp; " +
@@ -139,11 +143,14 @@ class FeatureTable {
 };
 
 struct StageFeature {
-  std::string tag;
+  const char* tag = "";
   unsigned mask = shaping::kAnyForm;
   bool manual_zwj = false;
 };
 using Stage = std::vector<StageFeature>;
+
+// Stages that order syllables.
+constexpr const char* kOrderTags[] = {"first", "last"};
 
 // On by default in all scripts.
 const char* const kCommon[] = {"abvm", "blwm", "ccmp", "locl", "mark",
@@ -163,6 +170,31 @@ std::vector<Stage> stages_of(const KnownScript& script,
     last.push_back({"ltrm"});
   }
   const bool joins = (script.flags & shaping::kJoins) != 0;
+  const bool has_syllables = (script.flags & shaping::kSyllables) != 0;
+  if (has_syllables) {
+    stages.push_back(last);
+    stages.push_back({{"ccmp"}, {"locl"}});
+    stages.push_back({{kOrderTags[shaping::kOrderFirst], 0}});
+    constexpr StageFeature kBasic[] = {{"nukt", 1, true},
+                                       {"akhn", 1, true},
+                                       {"rphf", shaping::kReph, true},
+                                       {"rkrf", 1, true},
+                                       {"blwf", shaping::kBelowBase, true},
+                                       {"abvf", shaping::kBehindBase, true},
+                                       {"half", shaping::kHalf, true},
+                                       {"pstf", shaping::kBehindBase, true},
+                                       {"vatu", 1, true},
+                                       {"cjct", 1, true}};
+    for (const StageFeature& feature : kBasic) {
+      stages.push_back({feature});
+    }
+    stages.push_back({{kOrderTags[shaping::kOrderLast], 0}});
+    last = {{"pres", 1, true},
+            {"abvs", 1, true},
+            {"blws", 1, true},
+            {"psts", 1, true},
+            {"haln", 1, true}};
+  }
   if (joins) {
     stages.push_back(last);
     stages.push_back({{"ccmp", 1, true}, {"locl", 1, true}});
@@ -179,7 +211,7 @@ std::vector<Stage> stages_of(const KnownScript& script,
   }
   for (const char* tag : kCommon) {
     const bool is_there =
-        joins &&
+        (joins || has_syllables) &&
         std::any_of(stages.begin(), stages.end(), [tag](const Stage& stage) {
           return std::any_of(
               stage.begin(), stage.end(),
@@ -188,12 +220,16 @@ std::vector<Stage> stages_of(const KnownScript& script,
     const bool is_last =
         std::any_of(last.begin(), last.end(),
                     [tag](const StageFeature& one) { return one.tag == tag; });
-    if (!is_there && !is_last) {
-      last.push_back({tag});
+    const bool is_off = has_syllables && std::string(tag) == "liga";
+    if (!is_there && !is_last && !is_off) {
+      // Marks do not look over ZWJ.
+      const bool is_mark =
+          std::string(tag) == "mark" || std::string(tag) == "mkmk";
+      last.push_back({tag, shaping::kAnyForm, is_mark});
     }
   }
   for (const std::string& tag : features) {
-    last.push_back({tag});
+    last.push_back({tag.c_str()});
   }
   stages.push_back(last);
   return stages;
@@ -224,6 +260,47 @@ void add_entries(const FeatureTable& table,
   }
 }
 
+bool would_replace(const FontFile& file,
+                   const FeatureTable& gsub,
+                   std::initializer_list<const char*> features,
+                   const std::vector<hb_codepoint_t>& glyphs) {
+  for (const char* feature : features) {
+    for (const unsigned lookup : gsub.lookups(feature)) {
+      if (hb_ot_layout_lookup_would_substitute(
+              file.hb_face(), lookup, glyphs.data(),
+              static_cast<unsigned>(glyphs.size()), 1) != 0) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// What letters become in syllables of Devanagari, as far as the face says.
+void find_forms(const FontFile& file,
+                const FeatureTable& gsub,
+                ShapePlan& plan) {
+  if (gsub.chosen_script() != hb_tag("dev2")) {
+    file.refuse("has no table GSUB of the script dev2" +
+                std::string("; choose another face for --shape deva"));
+  }
+  const hb_codepoint_t virama = file.glyph_of(0x94d);
+  if (would_replace(file, gsub, {"rphf"}, {file.glyph_of(0x930), virama})) {
+    plan.flags |= shaping::kHasReph;
+  }
+  for (char32_t c = 0x915; c < 0x980; c += c == 0x939 ? 0x3f : 1) {
+    const hb_codepoint_t glyph = file.glyph_of(c);
+    const bool is_letter =
+        hb_unicode_general_category(hb_unicode_funcs_get_default(), c) ==
+        HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER;
+    if (glyph != 0 && is_letter &&
+        (would_replace(file, gsub, {"blwf", "vatu"}, {virama, glyph}) ||
+         would_replace(file, gsub, {"blwf", "vatu"}, {glyph, virama}))) {
+      plan.below.insert(c);
+    }
+  }
+}
+
 ShapePlan make_plan(const FontFile& file,
                     const KnownScript& known,
                     const ShapeScript& script,
@@ -239,16 +316,26 @@ ShapePlan make_plan(const FontFile& file,
   plan.flags =
       known.flags | (known.is_right_to_left ? shaping::kRightToLeft : 0u);
   if (!language.empty() && !gsub.has_language() && !gpos.has_language()) {
-    file.refuse("knows no language " + language + " of " + plan.script +
+    file.refuse("knows no language " + language.substr(0, language.find(' ')) +
+                " of " + plan.script +
                 "; leave it out of --shape: it is shaped as all others");
   }
   const std::vector<Stage> stages = stages_of(known, script.features);
   Stage all;
+  if ((known.flags & shaping::kSyllables) != 0) {
+    find_forms(file, gsub, plan);
+  }
   for (size_t i = 0; i < stages.size(); ++i) {
+    if (stages[i].front().mask == 0) {
+      const bool is_last =
+          stages[i].front().tag == kOrderTags[shaping::kOrderLast];
+      plan.substitutions.push_back({is_last ? 1u : 0u, 0, false});
+      continue;
+    }
     add_entries(gsub, stages[i], i + 1 == stages.size(), plan.substitutions);
     for (const StageFeature& feature : stages[i]) {
       if (feature.mask == shaping::kAnyForm) {
-        all.push_back({feature.tag});
+        all.push_back(feature);
       }
     }
   }
@@ -261,8 +348,8 @@ ShapePlan make_plan(const FontFile& file,
                 "; choose another face for --shape");
   }
   // HarfBuzz takes positions of Hebrew from its own script alone.
-  if (known.script != HB_SCRIPT_HEBREW ||
-      gpos.chosen_script() == hb_tag("hebr")) {
+  if (known.script == HB_SCRIPT_HEBREW ? gpos.chosen_script() == hb_tag("hebr")
+                                       : known.flags != shaping::kEmoji) {
     add_entries(gpos, all, true, plan.positions);
   }
   return plan;
@@ -318,6 +405,10 @@ std::vector<ShapeScript> parse_shape_scripts(const std::string& list) {
   return scripts;
 }
 
+hb_script_t script_of(const ShapeScript& script) {
+  return find_script(script.tag)->script;
+}
+
 std::vector<ShapePlan> shape_plans(const FontFile& file,
                                    const std::vector<ShapeScript>& scripts) {
   std::vector<ShapePlan> plans;
@@ -329,6 +420,17 @@ std::vector<ShapePlan> shape_plans(const FontFile& file,
     }
   }
   return plans;
+}
+
+bool is_emoji(char32_t c) {
+  constexpr std::pair<char32_t, char32_t> kRanges[] = {
+      {0x203c, 0x203c},  {0x2049, 0x2049}, {0x20e3, 0x20e3}, {0x2190, 0x21ff},
+      {0x2300, 0x23ff},  {0x25a0, 0x27bf}, {0x2900, 0x297f}, {0x2b00, 0x2bff},
+      {0x3030, 0x3030},  {0x303d, 0x303d}, {0x3297, 0x3299}, {0x1f000, 0x1faff},
+      {0xe0020, 0xe007f}};
+  return std::any_of(
+      std::begin(kRanges), std::end(kRanges),
+      [c](const auto& range) { return c >= range.first && c <= range.second; });
 }
 
 hb_script_t shaped_script(char32_t c) {
@@ -348,9 +450,43 @@ CharSet shape_additions(const std::vector<ShapePlan>& plans,
         added.insert({am - 1, am + 0x1a});
       }
     }
+    if ((plan.flags & shaping::kEmoji) != 0) {
+      added.insert({0x200d, 0x20e3});
+      for (char32_t tag = 0xe0020; tag < 0xe0080; ++tag) {
+        added.insert(tag);
+      }
+    }
+    // Letters with a nukta are taken apart.
+    constexpr char32_t kParted[] = {0x915, 0x916, 0x917, 0x91c,
+                                    0x921, 0x922, 0x92b, 0x92f};
+    for (char32_t i = 0; i < 8; ++i) {
+      if ((plan.flags & shaping::kSyllables) != 0 &&
+          characters.count(0x958 + i) != 0) {
+        added.insert({kParted[i], 0x93c});
+      }
+    }
   }
   return added;
 }
+
+namespace {
+
+// Adds the glyphs that lookups make of glyphs.
+void close(const FontFile& file,
+           const ClosureSet& lookups,
+           const ClosureSet& glyphs,
+           std::set<uint32_t>& closure) {
+  hb_ot_layout_lookups_substitute_closure(file.hb_face(), lookups.get(),
+                                          glyphs.get());
+  hb_codepoint_t glyph = HB_SET_VALUE_INVALID;
+  while (hb_set_next(glyphs.get(), &glyph)) {
+    if (glyph != 0) {
+      closure.insert(glyph);
+    }
+  }
+}
+
+}  // namespace
 
 std::set<uint32_t> shape_closure(const FontFile& file,
                                  const std::vector<ShapePlan>& plans,
@@ -360,26 +496,52 @@ std::set<uint32_t> shape_closure(const FontFile& file,
     const ClosureSet glyphs(hb_set_create());
     for (const char32_t c : characters) {
       const hb_script_t script = shaped_script(c);
-      const uint32_t glyph = file.glyph_of(c);
-      if (glyph != 0 &&
-          (script == plan.hb_script || script == HB_SCRIPT_COMMON)) {
-        hb_set_add(glyphs.get(), glyph);
+      if (script == plan.hb_script || script == HB_SCRIPT_COMMON) {
+        hb_set_add(glyphs.get(), file.glyph_of(c));
       }
     }
     const ClosureSet lookups(hb_set_create());
     for (const ShapeEntry& entry : plan.substitutions) {
-      hb_set_add(lookups.get(), entry.lookup);
-    }
-    hb_ot_layout_lookups_substitute_closure(file.hb_face(), lookups.get(),
-                                            glyphs.get());
-    hb_codepoint_t glyph = HB_SET_VALUE_INVALID;
-    while (hb_set_next(glyphs.get(), &glyph)) {
-      if (glyph != 0) {
-        closure.insert(glyph);
+      if (entry.mask != 0) {
+        hb_set_add(lookups.get(), entry.lookup);
       }
     }
+    close(file, lookups, glyphs, closure);
   }
   return closure;
+}
+
+std::set<uint32_t> layout_closure(const FontFile& file,
+                                  const CharSet& characters) {
+  const ClosureSet glyphs(hb_set_create());
+  for (const char32_t c : characters) {
+    hb_set_add(glyphs.get(), file.glyph_of(c));
+  }
+  const ClosureSet lookups(hb_set_create());
+  hb_ot_layout_collect_lookups(file.hb_face(), HB_OT_TAG_GSUB, nullptr, nullptr,
+                               nullptr, lookups.get());
+  std::set<uint32_t> closure;
+  close(file, lookups, glyphs, closure);
+  return closure;
+}
+
+CharSet decompositions(const CharSet& characters) {
+  CharSet parts;
+  for (const char32_t c : characters) {
+    hb_codepoint_t letter = c;
+    hb_codepoint_t mark = 0;
+    while (hb_unicode_decompose(hb_unicode_funcs_get_default(), letter, &letter,
+                                &mark) != 0) {
+      parts.insert({letter, mark});
+    }
+    constexpr char32_t kKhmerE = 0x17c1;  // vowels of Khmer begin with it
+    if (c == 0x17be || c == 0x17bf || c == 0x17c0 || c == 0x17c4 ||
+        c == 0x17c5) {
+      parts.insert(kKhmerE);
+    }
+  }
+  parts.erase(0);
+  return parts;
 }
 
 }  // namespace inkcell::gen

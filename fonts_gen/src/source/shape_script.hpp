@@ -22,10 +22,13 @@ struct ShapeScript {
 /// Throws Error.
 std::vector<ShapeScript> parse_shape_scripts(const std::string& list);
 
+/// Its script in Unicode.
+hb_script_t script_of(const ShapeScript& script);
+
 /// A lookup of a program.
 struct ShapeEntry {
   unsigned lookup = 0;      // in the file
-  unsigned mask = 0;        // of forms
+  unsigned mask = 0;        // of forms; 0: `lookup` orders syllables
   bool manual_zwj = false;  // ZWJ is not looked over
 };
 
@@ -37,6 +40,7 @@ struct ShapePlan {
   hb_script_t hb_script = HB_SCRIPT_COMMON;
   bool is_right_to_left = false;
   unsigned flags = 0;  // format::shaping
+  CharSet below;       // letters of syllables that have a form below
   std::vector<ShapeEntry> substitutions;
   std::vector<ShapeEntry> positions;
 };
@@ -46,6 +50,9 @@ struct ShapePlan {
 /// face cannot shape.
 std::vector<ShapePlan> shape_plans(const FontFile& file,
                                    const std::vector<ShapeScript>& scripts);
+
+/// Whether a character is an emoji, or a part of emoji alone.
+bool is_emoji(char32_t c);
 
 /// The script of a character for choosing a plan: HB_SCRIPT_COMMON for what
 /// belongs to any.
@@ -59,5 +66,12 @@ CharSet shape_additions(const std::vector<ShapePlan>& plans,
 std::set<uint32_t> shape_closure(const FontFile& file,
                                  const std::vector<ShapePlan>& plans,
                                  const CharSet& characters);
+
+/// The same by all lookups of GSUB, whatever they are for.
+std::set<uint32_t> layout_closure(const FontFile& file,
+                                  const CharSet& characters);
+
+/// What HarfBuzz takes characters apart into.
+CharSet decompositions(const CharSet& characters);
 
 }  // namespace inkcell::gen

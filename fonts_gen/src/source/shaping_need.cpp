@@ -1,7 +1,6 @@
 #include "source/shaping_need.hpp"
 
 #include <fribidi.h>
-#include <hb.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -117,11 +116,10 @@ std::vector<UnshapedScript> unshaped_scripts(std::u32string_view text) {
     if (!needs_shaping(text[i])) {
       continue;
     }
-    const std::string name = name_of(last);
     if (std::none_of(
             found.begin(), found.end(),
-            [&](const UnshapedScript& one) { return one.name == name; })) {
-      found.push_back({name, i});
+            [&](const UnshapedScript& one) { return one.script == last; })) {
+      found.push_back({last, name_of(last), i});
     }
   }
   return found;

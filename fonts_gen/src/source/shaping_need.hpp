@@ -1,6 +1,8 @@
 // Text that is drawn wrongly unless it is shaped.
 #pragma once
 
+#include <hb.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -17,6 +19,7 @@ bool needs_shaping(char32_t code_point);
 
 /// A script of a text, and where the text first needs shaping for it.
 struct UnshapedScript {
+  hb_script_t script = HB_SCRIPT_COMMON;
   std::string name;  // "Arabic"
   size_t at = 0;     // index of the character
 };

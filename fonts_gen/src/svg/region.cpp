@@ -71,20 +71,13 @@ bool has(ClipperLib::PolyFillType kind, const ClipperLib::Paths& paths) {
   return area_of(unite(paths, kind)) > kSameArea;
 }
 
-Outline outline_of(const ClipperLib::Paths& paths) {
-  Outline outline;
-  for (const ClipperLib::Path& path : paths) {
-    if (area_of({path}) < kSliver) {
-      continue;
-    }
-    Contour contour;
-    for (size_t i = 0; i < path.size(); ++i) {
-      contour.segments.push_back(line_segment(
-          from_clipper(path[i]), from_clipper(path[(i + 1) % path.size()])));
-    }
-    outline.contours.push_back(std::move(contour));
-  }
-  return outline;
+Outline without_slivers(ClipperLib::Paths paths) {
+  paths.erase(std::remove_if(paths.begin(), paths.end(),
+                             [](const ClipperLib::Path& path) {
+                               return area_of({path}) < kSliver;
+                             }),
+              paths.end());
+  return outline_of(paths);
 }
 
 void reverse(Contour& contour) {
@@ -169,7 +162,7 @@ Outline filled_area(const Outline& contours, FillRule rule) {
       area_of(combine(ClipperLib::ctXor, got, ClipperLib::pftNonZero, wanted));
   const bool is_same =
       difference <= kSameArea && !has(ClipperLib::pftNegative, got);
-  return is_same ? result : outline_of(wanted);
+  return is_same ? result : without_slivers(wanted);
 }
 
 Outline united_area(const std::vector<Corners>& polygons) {
@@ -180,7 +173,7 @@ Outline united_area(const std::vector<Corners>& polygons) {
       std::reverse(paths.back().begin(), paths.back().end());
     }
   }
-  return outline_of(unite(paths, ClipperLib::pftNonZero));
+  return without_slivers(unite(paths, ClipperLib::pftNonZero));
 }
 
 bool fill_alike(const Outline& a, const Outline& b, double slack) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -63,25 +64,28 @@ Value choice(const pugi::xml_node& node,
   throw Error(quoted(name, text) + " is not supported; use one of " + known);
 }
 
-std::string paint_of(const pugi::xml_node& node,
+std::string color_of(const pugi::xml_node& node,
                      const char* name,
                      const std::string& parent,
-                     const std::string& color) {
+                     const PaintStyle& style) {
   const std::string text = lower(property_of(node, name));
   if (text.empty() || text == "inherit") {
     return parent;
   }
   if (text == "currentcolor") {
-    return color;
+    return style.color;
   }
   if (text.compare(0, 4, "url(") == 0) {
     throw Error(quoted(name, text) +
-                " is a gradient or a pattern; an icon is of one colour: paint "
-                "with it, or with none");
+                (style.has_colours
+                     ? " is a gradient or a pattern; paint with one colour"
+                     : " is a gradient or a pattern; an icon is of one "
+                       "colour: paint with it, or with none"));
   }
   const bool is_hex = text[0] == '#' && (text.size() == 5 || text.size() == 9);
   const std::string function = text.substr(0, 5);
-  if (is_hex || function == "rgba(" || function == "hsla(") {
+  if (!style.has_colours &&
+      (is_hex || function == "rgba(" || function == "hsla(")) {
     throw Error(quoted(name, text) +
                 " has an alpha; write a colour without one, or none");
   }
@@ -97,28 +101,72 @@ std::string paint_of(const pugi::xml_node& node,
   return text;
 }
 
-// Whether the element is opaque enough to be seen.
-bool is_opaque(const pugi::xml_node& node, const char* name) {
-  std::string text = property_of(node, name);
-  if (text == "100%") {
-    text = "1";
+// 0 or 1, if there are no colours.
+double opacity_of(const pugi::xml_node& node,
+                  const char* name,
+                  double parent,
+                  bool has_colours) {
+  const std::string text = property_of(node, name);
+  if (text.empty() || text == "inherit") {
+    return parent;
   }
   std::string_view rest = text;
-  const double opacity = text.empty() ? 1 : take_number(rest).value_or(-1);
-  if (opacity == 1 || opacity == 0) {
-    return opacity == 1;
+  const std::optional<double> number = take_number(rest);
+  const bool is_percent = rest == "%";
+  const double opacity = number.value_or(-1) / (is_percent ? 100 : 1);
+  if (opacity != 1 && opacity != 0 && !has_colours) {
+    throw Error(quoted(name, text) +
+                " is part transparent; draw the element opaque, or remove it");
   }
-  throw Error(quoted(name, text) +
-              " is part transparent; draw the element opaque, or remove it");
+  if (!number || !(rest.empty() || is_percent)) {
+    throw Error(quoted(name, text) + " is no number from 0 to 1; write one");
+  }
+  return std::clamp(opacity, 0.0, 1.0);
+}
+
+// Refuses a property that has another value than `plain`.
+void refuse_unless(const char* plain,
+                   const pugi::xml_node& node,
+                   const char* name,
+                   const char* remedy) {
+  const std::string text = property_of(node, name);
+  if (!text.empty() && text != plain) {
+    throw Error(quoted(name, text) + " is not supported; " + remedy);
+  }
 }
 
 void refuse_unless_none(const pugi::xml_node& node,
                         const char* name,
                         const char* remedy) {
-  const std::string text = property_of(node, name);
-  if (!text.empty() && text != "none") {
-    throw Error(quoted(name, text) + " is not supported; " + remedy);
+  refuse_unless("none", node, name, remedy);
+}
+
+// What style sheets may say of a place or a form, and attributes may not.
+void refuse_geometry(const pugi::xml_node& node) {
+  bool has_transform = !property_of(node, "transform-origin").empty();
+  for (const char* name :
+       {"transform", "translate", "rotate", "scale", "offset-path"}) {
+    has_transform = has_transform || !declaration_of(node, name).empty();
   }
+  if (has_transform) {
+    throw Error(
+        "transforms of style sheets are not supported; use the attribute "
+        "transform");
+  }
+  for (const char* name : {"d", "x", "y", "cx", "cy", "r", "rx", "ry"}) {
+    if (!declaration_of(node, name).empty()) {
+      throw Error(std::string("style has ") + name +
+                  ", which is not supported; write it as an attribute");
+    }
+  }
+}
+
+// What shows only where there are several colours.
+void refuse_blending(const pugi::xml_node& node) {
+  refuse_unless("normal", node, "mix-blend-mode",
+                "paint with the colour that shows, or remove it");
+  refuse_unless("normal", node, "paint-order",
+                "draw the stroke as an element of its own");
 }
 
 PenStyle pen_of(const pugi::xml_node& node, const PenStyle& parent) {
@@ -179,38 +227,134 @@ PaintStyle style_of(const pugi::xml_node& node, const PaintStyle& parent) {
                      "cut the paths themselves, or remove the clip path");
   refuse_unless_none(node, "mask",
                      "cut the paths themselves, or remove the mask");
+  refuse_unless_none(node, "mask-image",
+                     "cut the paths themselves, or remove the mask");
   refuse_unless_none(node, "filter", "remove it");
+  refuse_unless_none(node, "backdrop-filter", "remove it");
   for (const char* marker :
        {"marker", "marker-start", "marker-mid", "marker-end"}) {
     refuse_unless_none(node, marker, "draw the marker as a path");
   }
   refuse_unless_none(node, "stroke-dasharray", "draw each dash as a path");
   refuse_unless_none(node, "vector-effect", "remove it");
-  if (!property_of(node, "transform-origin").empty() ||
-      !declaration_of(node, "transform").empty()) {
-    throw Error(
-        "transforms of style sheets are not supported; use the attribute "
-        "transform");
+  refuse_geometry(node);
+  if (parent.has_colours) {
+    refuse_blending(node);
   }
   PaintStyle style = parent;
-  style.color = paint_of(node, "color", parent.color, parent.color);
-  style.fill = paint_of(node, "fill", parent.fill, style.color);
-  style.stroke = paint_of(node, "stroke", parent.stroke, style.color);
+  style.color = color_of(node, "color", parent.color, parent);
+  style.fill = color_of(node, "fill", parent.fill, style);
+  style.stroke = color_of(node, "stroke", parent.stroke, style);
   style.rule = choice<FillRule>(
       node, "fill-rule", parent.rule,
       {{"nonzero", FillRule::nonzero}, {"evenodd", FillRule::evenodd}});
   style.pen = pen_of(node, parent.pen);
   const std::string visibility = property_of(node, "visibility");
-  style.is_shown = parent.is_shown && is_opaque(node, "opacity") &&
+  const bool has_colours = parent.has_colours;
+  style.opacity = parent.opacity * opacity_of(node, "opacity", 1, has_colours);
+  style.fill_opacity =
+      opacity_of(node, "fill-opacity", parent.fill_opacity, has_colours);
+  style.stroke_opacity =
+      opacity_of(node, "stroke-opacity", parent.stroke_opacity, has_colours);
+  style.is_shown = parent.is_shown && style.opacity > 0 &&
                    property_of(node, "display") != "none" &&
                    visibility != "hidden" && visibility != "collapse";
-  if (!is_opaque(node, "fill-opacity")) {
-    style.fill = "none";
-  }
-  if (!is_opaque(node, "stroke-opacity") || style.pen.width == 0) {
-    style.stroke = "none";
-  }
   return style;
+}
+
+namespace {
+
+// Names that drawings have; others are refused.
+constexpr struct {
+  const char* name;
+  uint32_t rgb;
+} kNamedColors[] = {
+    {"aqua", 0x00ffff},    {"azure", 0xf0ffff},  {"black", 0x000000},
+    {"blue", 0x0000ff},    {"brown", 0xa52a2a},  {"cyan", 0x00ffff},
+    {"fuchsia", 0xff00ff}, {"gold", 0xffd700},   {"gray", 0x808080},
+    {"green", 0x008000},   {"grey", 0x808080},   {"lime", 0x00ff00},
+    {"magenta", 0xff00ff}, {"maroon", 0x800000}, {"navy", 0x000080},
+    {"olive", 0x808000},   {"orange", 0xffa500}, {"pink", 0xffc0cb},
+    {"purple", 0x800080},  {"red", 0xff0000},    {"silver", 0xc0c0c0},
+    {"teal", 0x008080},    {"white", 0xffffff},  {"yellow", 0xffff00}};
+
+// The numbers of "rgb(1 2 3 / 0.5)", of 0 to 255 and 0 to 1.
+std::vector<double> channels_of(std::string_view text) {
+  std::vector<double> channels;
+  while (!text.empty()) {
+    const size_t begin = text.find_first_of("+-.0123456789");
+    if (begin == std::string_view::npos) {
+      break;
+    }
+    text.remove_prefix(begin);
+    const std::optional<double> number = take_number(text);
+    if (!number) {
+      return {};
+    }
+    const bool is_percent = !text.empty() && text.front() == '%';
+    const double scale = !is_percent           ? 1
+                         : channels.size() < 3 ? 255.0 / 100
+                                               : 1.0 / 100;
+    channels.push_back(*number * scale);
+  }
+  return channels;
+}
+
+// "#rgb", "#rgba", "#rrggbb" or "#rrggbbaa".
+std::vector<double> hex_channels_of(const std::string& text) {
+  const size_t digits = text.size() - 1;
+  const size_t width = digits > 4 ? 2 : 1;
+  std::vector<double> channels;
+  for (size_t i = 1; i + width <= text.size(); i += width) {
+    unsigned value = 0;
+    const char* const end = text.data() + i + width;
+    const auto read = std::from_chars(text.data() + i, end, value, 16);
+    if (read.ec != std::errc() || read.ptr != end) {
+      return {};
+    }
+    const unsigned channel = value * (width == 1 ? 17 : 1);
+    channels.push_back(i > 3 * width ? channel / 255.0 : channel);
+  }
+  return digits % width == 0 ? channels : std::vector<double>();
+}
+
+}  // namespace
+
+Paint paint_of(const std::string& color, double opacity) {
+  Paint paint;
+  paint.opacity = static_cast<uint8_t>(std::lround(255 * opacity));
+  paint.is_ink = color == "currentcolor";
+  if (paint.is_ink) {
+    return paint;
+  }
+  std::vector<double> channels;
+  if (color[0] == '#') {
+    channels = hex_channels_of(color);
+  } else if (color.compare(0, 3, "rgb") == 0) {
+    channels = channels_of(color);
+  } else {
+    for (const auto& known : kNamedColors) {
+      if (color == known.name) {
+        channels = {static_cast<double>(known.rgb >> 16),
+                    static_cast<double>(known.rgb >> 8 & 255),
+                    static_cast<double>(known.rgb & 255)};
+      }
+    }
+  }
+  if (channels.size() != 3 && channels.size() != 4) {
+    throw Error("is painted in " + color +
+                ", which is no colour that is known; write it as #rrggbb");
+  }
+  const auto byte = [](double value) {
+    return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  };
+  paint.red = byte(channels[0]);
+  paint.green = byte(channels[1]);
+  paint.blue = byte(channels[2]);
+  if (channels.size() == 4) {
+    paint.opacity = byte(255 * opacity * channels[3]);
+  }
+  return paint;
 }
 
 }  // namespace inkcell::gen

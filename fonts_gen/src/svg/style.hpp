@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "shape/paint.hpp"
+
 namespace inkcell::gen {
 
 enum class FillRule { nonzero, evenodd };
@@ -21,10 +23,16 @@ struct PenStyle {
 
 /// The properties that elements inherit.
 struct PaintStyle {
+  /// Whether colours may have an opacity, and `currentColor` is the text's.
+  bool has_colours = false;
   std::string color = "#000000";
   /// A colour as "#rrggbb" or as the file writes it; "none".
   std::string fill = "#000000";
   std::string stroke = "none";
+  /// 0 to 1; that of groups counts for each of their elements.
+  double opacity = 1;
+  double fill_opacity = 1;
+  double stroke_opacity = 1;
   FillRule rule = FillRule::nonzero;
   PenStyle pen;
   bool is_shown = true;
@@ -44,8 +52,12 @@ double number_of(const pugi::xml_node& node,
 std::vector<double> numbers_of(const pugi::xml_node& node, const char* name);
 
 /// The style of `node` in an element with the style `parent`. Throws Error with
-/// a remedy for gradients, patterns, partial transparency, dashes, clip paths,
-/// masks, filters and markers.
+/// a remedy for gradients, patterns, dashes, clip paths, masks, filters and
+/// markers, and without colours for partial transparency.
 PaintStyle style_of(const pugi::xml_node& node, const PaintStyle& parent);
+
+/// The colour of a fill or stroke: hexadecimal digits, rgb() and rgba(), some
+/// names, and `currentcolor`, the text's own. Throws Error with a remedy.
+Paint paint_of(const std::string& color, double opacity);
 
 }  // namespace inkcell::gen

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "shape/shape.hpp"
 #include "svg/basic_shapes.hpp"
 #include "svg/region.hpp"
 #include "svg/stroke.hpp"
@@ -102,12 +103,17 @@ Outline stroked_area(const SvgPath& path,
 
 class Reader {
  public:
-  explicit Reader(const pugi::xml_node& root) : root_(root) {}
+  Reader(const pugi::xml_node& root, bool has_colours) : root_(root) {
+    style_.has_colours = has_colours;
+    if (has_colours) {
+      style_.color = "currentcolor";
+    }
+  }
 
-  Outline run(const Affine& to_u) {
+  std::vector<PaintedOutline> run(const Affine& to_u) {
     refuse_style_sheets();
-    read(root_, PaintStyle(), to_u, kMostDepth);
-    return std::move(outline_);
+    read(root_, style_, to_u, kMostDepth);
+    return std::move(layers_);
   }
 
   // The element at which an error occurred.
@@ -159,34 +165,46 @@ class Reader {
     if (path.empty()) {
       return;
     }
-    if (style.fill != "none") {
-      Outline fill = contours_of(path);
-      map(to_u, fill);
-      add(filled_area(fill, style.rule), style.fill);
+    const double fill = style.opacity * style.fill_opacity;
+    if (style.fill != "none" && fill > 0) {
+      Outline outline = contours_of(path);
+      map(to_u, outline);
+      add(filled_area(outline, style.rule), style.fill, fill);
     }
-    if (style.stroke != "none") {
-      add(stroked_area(path, style.pen, to_u), style.stroke);
+    const double stroke = style.opacity * style.stroke_opacity;
+    if (style.stroke != "none" && stroke > 0 && style.pen.width != 0) {
+      add(stroked_area(path, style.pen, to_u), style.stroke, stroke);
     }
   }
 
-  void add(const Outline& area, const std::string& color) {
-    if (area.contours.empty()) {
+  // The fill of a line has contours, but no area.
+  void add(const Outline& area, const std::string& color, double opacity) {
+    if (area.contours.empty() || Shape(area).empty()) {
       return;
     }
-    if (!outline_.contours.empty() && color != color_) {
+    if (style_.has_colours) {
+      const Paint paint = paint_of(color, opacity);
+      if (layers_.empty() || !(layers_.back().paint == paint) ||
+          paint.opacity != 255) {
+        layers_.push_back({{}, paint});
+      }
+    } else if (layers_.empty()) {
+      layers_.emplace_back();
+    } else if (color != color_) {
       throw Error("is painted in " + color + ", what comes before it in " +
                   color_ +
                   "; an icon is of one colour: cut light parts out of the dark "
                   "ones as holes, or draw each colour as an icon of its own");
     }
     color_ = color;
-    append(area, outline_);
+    append(area, layers_.back().outline);
   }
 
   pugi::xml_node root_;
   pugi::xml_node current_;
+  PaintStyle style_;
   std::string color_;
-  Outline outline_;
+  std::vector<PaintedOutline> layers_;
 };
 
 }  // namespace
@@ -242,25 +260,34 @@ std::optional<ViewBox> SvgDrawing::view_box() const {
   }
 }
 
-Outline SvgDrawing::outline(const Affine& to_u) const {
-  Reader reader(document_->xml.child("svg"));
+std::vector<PaintedOutline> SvgDrawing::read(const Affine& to_u,
+                                             bool has_colours) const {
+  Reader reader(document_->xml.child("svg"), has_colours);
   const auto refuse = [&](const std::string& why) {
     throw Error(file_.string() + ": " + document_->place_of(reader.current()) +
                 " " + why);
   };
-  Outline outline;
+  std::vector<PaintedOutline> layers;
   try {
-    outline = reader.run(to_u);
+    layers = reader.run(to_u);
   } catch (const GeometryError& error) {
     refuse(error.what());
   } catch (const Error& error) {
     refuse(error.what());
   }
-  if (outline.contours.empty()) {
+  if (layers.empty()) {
     throw Error(file_.string() +
                 ": draws nothing; fill or stroke a path of it");
   }
-  return outline;
+  return layers;
+}
+
+Outline SvgDrawing::outline(const Affine& to_u) const {
+  return std::move(read(to_u, false)[0].outline);
+}
+
+std::vector<PaintedOutline> SvgDrawing::layers(const Affine& to_u) const {
+  return read(to_u, true);
 }
 
 }  // namespace inkcell::gen

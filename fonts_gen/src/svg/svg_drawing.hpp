@@ -1,12 +1,14 @@
-// An SVG drawing in one colour, as an outline.
+// An SVG drawing, as an outline or as layers of colours.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "shape/affine.hpp"
 #include "shape/outline.hpp"
+#include "shape/paint.hpp"
 
 namespace inkcell::gen {
 
@@ -21,7 +23,7 @@ struct ViewBox {
 /// An SVG file: paths and basic shapes in groups, with transforms, both fill
 /// rules, and strokes of constant width. Anything else that would be drawn is
 /// an error: text, pictures, <use>, style sheets, gradients, clip paths, masks,
-/// dashes, partial transparency, several colours.
+/// dashes; for outline() also partial transparency and several colours.
 class SvgDrawing {
  public:
   /// Throws Error that names the file.
@@ -43,8 +45,13 @@ class SvgDrawing {
   /// Throws Error that names the file, the line, the element and the remedy.
   Outline outline(const Affine& to_u) const;
 
+  /// The same as layers, from below; neighbours of one opaque colour are one.
+  std::vector<PaintedOutline> layers(const Affine& to_u) const;
+
  private:
   struct Document;
+
+  std::vector<PaintedOutline> read(const Affine& to_u, bool has_colours) const;
 
   std::filesystem::path file_;
   std::unique_ptr<Document> document_;

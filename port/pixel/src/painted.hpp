@@ -32,35 +32,58 @@ struct EndMasks {
   uint32_t last;
 };
 
-/// Rows of painted words; words of pixels have 4 * kBytes bytes and end with
-/// that at `last`. put(pixel, coverage) draws four pixels.
+/// A row of painted words, `from` to `last`; words of pixels have 4 * kBytes
+/// bytes. put(pixel, coverage) draws four pixels.
 template <int32_t kBytes, typename Words, typename Put>
 inline void put_row(Words words,
                     uint8_t* pixel,
-                    uint8_t* const last,
                     const uint8_t* from,
+                    const uint8_t* const last,
                     const EndMasks& masks,
                     const Put& put) noexcept {
-  if (pixel != last) {
-    const uint32_t first = words.next(load_word(from)) & masks.first;
-    if (first != 0) {
-      put(pixel, first);
-    }
-    // Most words lie outside or inside.
-    while ((pixel += 4 * kBytes) != last) {
-      from += 4;
-      const uint32_t bytes = load_word(from);
-      if (bytes != 0) {
-        put(pixel, words.next(bytes));
-      } else if (words.same() != 0) {
-        put(pixel, words.same());
-      }
+  const uint8_t* const first = from;
+  const auto draw = [&](uint32_t coverage) noexcept {
+    put(pixel + kBytes * (from - first), coverage);
+  };
+  uint32_t bytes = load_word(from);
+  if (from != last) {
+    const uint32_t coverage =
+        (bytes == 0 ? words.same() : words.next(bytes)) & masks.first;
+    if (coverage != 0) {
+      draw(coverage);
     }
     from += 4;
+    while (from != last) {
+      bytes = load_word(from);
+      if (bytes != 0) {
+        draw(words.next(bytes));
+        from += 4;
+        continue;
+      }
+      // Most words lie outside or inside.
+      const uint32_t same = words.same();
+      if (same == 0) {
+        from += 4;
+        while (last - from >= 8 &&
+               (load_word(from) | load_word(from + 4)) == 0) {
+          from += 8;
+        }
+        if (from != last && load_word(from) == 0) {
+          from += 4;
+        }
+      } else {
+        do {
+          draw(same);
+          from += 4;
+        } while (from != last && load_word(from) == 0);
+      }
+    }
+    bytes = load_word(from);
   }
-  const uint32_t coverage = words.next(load_word(from)) & masks.last;
+  const uint32_t coverage =
+      (bytes == 0 ? words.same() : words.next(bytes)) & masks.last;
   if (coverage != 0) {
-    put(pixel, coverage);
+    draw(coverage);
   }
 }
 
@@ -86,14 +109,14 @@ inline bool put_painted(const Strip& strip,
   }
   uint8_t* to =
       row_at(strip, pixels.y0 - strip.y0) + kBytes * (first - strip.x0);
-  uint8_t* end = to + kBytes * (last - first);
   const uint8_t* from = block.coverage;
+  const uint8_t* end = from + (last - first);
   if (bytes == Painted::sums) {
     for (int32_t rows = pixels.y1 - pixels.y0; rows != 0; --rows) {
-      put_row<kBytes>(SumWords{}, to, end, from, masks, put);
-      from += block.stride;
+      put_row<kBytes>(SumWords{}, to, from, end, masks, put);
       to += strip.stride;
-      end += strip.stride;
+      from += block.stride;
+      end += block.stride;
     }
     return true;
   }
@@ -103,10 +126,11 @@ inline bool put_painted(const Strip& strip,
       // The pixel before has a word of its own.
       static_cast<void>(words.next(load_word(from)));
     }
-    put_row<kBytes>(words, to, end, from + (before == 0 ? 4 : 0), masks, put);
-    from += block.stride;
+    const int32_t skipped = before == 0 ? 4 : 0;
+    put_row<kBytes>(words, to, from + skipped, end + skipped, masks, put);
     to += strip.stride;
-    end += strip.stride;
+    from += block.stride;
+    end += block.stride;
   }
   return true;
 }

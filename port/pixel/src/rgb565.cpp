@@ -234,7 +234,153 @@ void fill_run(const detail::Rgb565Pixels& pixels, const Run& run) noexcept {
            : static_cast<uint16_t>(pixels.colour << 8 | pixels.colour >> 8));
 }
 
+int32_t pixels_of(uint32_t piece) noexcept {
+  return static_cast<int32_t>(piece >> 2);
+}
+
+// Words of a piece of so many pixels, without its first one.
+int32_t words_of(uint32_t piece) noexcept {
+  const int32_t count = pixels_of(piece);
+  switch (piece & 3) {
+    case ColourPicture::clear:
+      return 0;
+    case ColourPicture::solid:
+      return 1;
+    case ColourPicture::opaque:
+      return count;
+    default:
+      return count + (count + 1) / 2;
+  }
+}
+
+inline void fill_halves(uint8_t* pixel, uint8_t* end, uint32_t half) noexcept {
+  const uint32_t pair = half | half << 16;
+  for (; detail::kAnyAddress && end - pixel >= 8; pixel += 8) {
+    detail::store_any_word(pixel, pair);
+    detail::store_any_word(pixel + 4, pair);
+  }
+  for (; pixel != end; pixel += 2) {
+    detail::store_half(pixel, half);
+  }
+}
+
+inline void copy_halves(const uint16_t* at,
+                        uint8_t* pixel,
+                        uint8_t* end) noexcept {
+  const auto* from = reinterpret_cast<const uint8_t*>(at);
+  for (; detail::kAnyAddress && end - pixel >= 8; pixel += 8) {
+    detail::store_any_word(pixel, detail::load_any_word(from));
+    detail::store_any_word(pixel + 4, detail::load_any_word(from + 4));
+    from += 8;
+  }
+  for (; pixel != end; pixel += 2) {
+    detail::store_half(pixel, detail::load_half(from));
+    from += 2;
+  }
+}
+
+static_assert(ColourPicture::clear == 0 && ColourPicture::solid == 1 &&
+                  ColourPicture::opaque == 2 && ColourPicture::mixed == 3,
+              "put_pieces() tests bits");
+
+// Pixels whose coverage, in bytes, follows them. Returns what follows that.
+inline const uint16_t* mix_halves(const uint16_t* at,
+                                  const uint16_t* bytes,
+                                  uint8_t* pixel,
+                                  uint8_t* end) noexcept {
+  const auto* coverage = reinterpret_cast<const uint8_t*>(bytes);
+  bytes += (end - pixel + 2) / 4;
+  for (; pixel != end; pixel += 2) {
+    detail::store_half(pixel, blend565(share_of(*coverage++), spread(*at++),
+                                       detail::load_half(pixel)));
+  }
+  return bytes;
+}
+
+// Draws a row of pieces from `pixel` on, where pixels are half-words. Returns
+// what follows the row. Not inline: its loops have all registers.
+__attribute__((noinline)) const uint16_t* put_pieces(const uint16_t* at,
+                                                     uint8_t* pixel,
+                                                     int32_t width) noexcept {
+  for (uint8_t* const end = pixel + 2 * width; pixel != end;) {
+    const uint32_t piece = *at++;
+    uint8_t* const piece_end = pixel + 2 * pixels_of(piece);
+    // Two tests find a kind, where a switch takes three.
+    const bool is_plain = (piece & 1) == 0;
+    if ((piece & 2) == 0) {
+      if (!is_plain) {
+        fill_halves(pixel, piece_end, *at++);
+      }
+    } else if (is_plain) {
+      copy_halves(at, pixel, piece_end);
+      at += pixels_of(piece);
+    } else {
+      const uint16_t* coverage = at + pixels_of(piece);
+      at = mix_halves(at, coverage, pixel, piece_end);
+    }
+    pixel = piece_end;
+  }
+  return at;
+}
+
+// The same of the columns from x0, at `pixel`, up to x1; any pixels, any
+// machine.
+void put_columns(const uint16_t* at,
+                 uint8_t* pixel,
+                 int32_t x0,
+                 int32_t x1,
+                 ByteOrder order) noexcept {
+  for (int32_t x = 0; x < x1;) {
+    const uint32_t piece = *at++;
+    const int32_t count = pixels_of(piece);
+    const uint32_t kind = piece & 3;
+    for (int32_t i = 0; i != count && kind != ColourPicture::clear; ++i) {
+      if (x + i >= x0 && x + i < x1) {
+        const uint32_t colour = at[kind == ColourPicture::solid ? 0 : i];
+        const auto coverage = static_cast<uint8_t>(
+            kind == ColourPicture::mixed ? at[count + i / 2] >> 8 * (i & 1)
+                                         : 255);
+        blend_bytes(pixel + 2 * (x + i - x0), &coverage, 1, spread(colour),
+                    order);
+      }
+    }
+    at += words_of(piece);
+    x += count;
+  }
+}
+
 }  // namespace
+
+void detail::put_picture(void* to,
+                         const ColourPicture& picture,
+                         const Rect& window) noexcept {
+  const auto& pixels = *static_cast<const detail::Rgb565Pixels*>(to);
+  const Strip& strip = pixels.strip;
+  const Rect& box = picture.box;
+  const Rect shown = intersect(intersect(box, window), strip.rect());
+  if (is_empty(shown)) {
+    return;
+  }
+  const int32_t width = box.x1 - box.x0;
+  const bool is_fast = shown.x0 == box.x0 && shown.x1 == box.x1 &&
+                       are_halves(pixels, strip.pixels.data) &&
+                       (strip.stride & 1) == 0;
+  const uint16_t* at = picture.pieces;
+  for (int32_t y = box.y0; y != shown.y1; ++y) {
+    if (y >= shown.y0) {
+      uint8_t* const pixel =
+          detail::row_at(strip, y - strip.y0) + 2 * (shown.x0 - strip.x0);
+      if (is_fast) {
+        at = put_pieces(at, pixel, width);
+        continue;
+      }
+      put_columns(at, pixel, shown.x0 - box.x0, shown.x1 - box.x0, strip.order);
+    }
+    for (int32_t x = 0; x != width; at += 1 + words_of(*at)) {
+      x += pixels_of(*at);
+    }
+  }
+}
 
 const detail::SinkKind detail::Rgb565Pixels::kKind = {
     detail::coverage_of<detail::Rgb565Pixels, cover>,

@@ -34,7 +34,7 @@ inline constexpr uint32_t kTotalBytes = 8;     // u32
 inline constexpr uint32_t kHeaderCrc = 12;     // u32, header but this field
 inline constexpr uint32_t kContentCrc = 16;    // u32, all after the header
 inline constexpr uint32_t kGlyphCount = 20;    // u16, at least 1
-inline constexpr uint32_t kUnitsPerEm = 22;    // u16, 16..16384
+inline constexpr uint32_t kUnitsPerEm = 22;    // u16, 4..16384
 inline constexpr uint32_t kAscender = 24;      // i16 [font units]
 inline constexpr uint32_t kDescender = 26;     // i16 [font units], below: < 0
 inline constexpr uint32_t kLineGap = 28;       // i16 [font units]
@@ -61,6 +61,8 @@ inline constexpr uint32_t kGridShift = 60;  // i8, grid unit: 2^shift font units
 inline constexpr uint32_t kCodeBits = 61;   // u8, the code table has 2^bits
 inline constexpr uint32_t kMaxPoints = 62;  // u16, of any glyph
 inline constexpr uint32_t kBytes = 64;
+inline constexpr uint32_t kLeastUnitsPerEm = 4;
+inline constexpr uint32_t kMostUnitsPerEm = 16384;
 }  // namespace header
 
 /// What a font's glyphs are made of.
@@ -95,6 +97,8 @@ inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
 inline constexpr uint32_t kMorphs = tag('M', 'O', 'R', 'P');
 inline constexpr uint32_t kStrikes = tag('S', 'T', 'R', 'K');
 inline constexpr uint32_t kShaping = tag('S', 'H', 'A', 'P');
+inline constexpr uint32_t kKeptLayout = tag('L', 'A', 'Y', 'T');
+inline constexpr uint32_t kLayers = tag('C', 'O', 'L', 'R');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
 
@@ -268,6 +272,7 @@ inline constexpr uint32_t kWidthMask = 15;
 inline constexpr uint32_t kTableShift = 13;  // 0: the next word has this table
 inline constexpr uint32_t kMaxTables = 8;
 inline constexpr uint32_t kMaxCodeBits = 7;
+inline constexpr uint32_t kLeastUnitsPerEm = 16;  // of the font
 inline constexpr int32_t kMinGridShift = -4;
 inline constexpr int32_t kMaxGridShift = 3;
 
@@ -293,12 +298,14 @@ inline constexpr uint32_t kPointWidthBits = 4;  // the width of a point's number
 inline constexpr uint32_t kKindBits = 2;
 inline constexpr uint32_t kPieceCountBits = 7;
 inline constexpr uint32_t kEighthBits = 3;
+inline constexpr uint32_t kBirthBits = 4;  // 16ths of the progress
+inline constexpr uint32_t kSwellBits = 3;  // quarters of the size
 
 // Kinds of contours.
 inline constexpr uint32_t kEnd = 0;         // there are no more
 inline constexpr uint32_t kBoth = 1;        // both glyphs have it
-inline constexpr uint32_t kSecondOnly = 2;  // it grows from a slit
-inline constexpr uint32_t kFirstOnly = 3;   // it shrinks to a slit
+inline constexpr uint32_t kSecondOnly = 2;  // it is born at a point
+inline constexpr uint32_t kFirstOnly = 3;   // it dies at a point
 }  // namespace morphs
 
 // A glyph record that refers to others, bit by bit after its type.
@@ -352,7 +359,8 @@ inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 
 // STRK, and GLYF of fonts of strikes: after the header an entry for each
 // strike, then bit tables with the rows of their glyphs, left, top, width,
-// height and offset, and pictures.
+// height and offset, and pictures. Rows of fonts of strikes have an offset
+// alone: METR has the boxes.
 namespace strikes {
 inline constexpr uint32_t kZero = 0;   // u16, 0: offset_bits of GLYF
 inline constexpr uint32_t kCount = 2;  // u16
@@ -386,31 +394,36 @@ inline constexpr uint32_t kBytes = 32;
 // SHAP: how text of some scripts is shaped. After the header one run of bit
 // tables, in the order of docs/FORMAT.md.
 namespace shaping {
-inline constexpr uint32_t kLookups = 0;        // u16
-inline constexpr uint32_t kTopLookups = 2;     // u16, the first ones
-inline constexpr uint32_t kSets = 4;           // u16
-inline constexpr uint32_t kRows = 6;           // u16, 1..256
-inline constexpr uint32_t kCompositions = 8;   // u16
-inline constexpr uint32_t kCharacters = 10;    // u16
-inline constexpr uint32_t kEntries = 12;       // u16
-inline constexpr uint32_t kGlyphs = 14;        // u16, that have a row
-inline constexpr uint32_t kSteps = 16;         // u16, at most, a character
-inline constexpr uint32_t kPrograms = 18;      // u8
-inline constexpr uint32_t kScripts = 19;       // u8
-inline constexpr uint32_t kSpans = 20;         // u8
-inline constexpr uint32_t kProperties = 21;    // u8
-inline constexpr uint32_t kMarks = 22;         // u8
-inline constexpr uint32_t kMirrors = 23;       // u8
-inline constexpr uint32_t kGlyphBits = 24;     // u8, 0..16
-inline constexpr uint32_t kRankBits = 25;      // u8, 0..8
-inline constexpr uint32_t kMarkBits = 26;      // u8, 0..8
-inline constexpr uint32_t kLetterBits = 27;    // u8, 0..16
-inline constexpr uint32_t kOffsetBits = 28;    // u8, 0..25
-inline constexpr uint32_t kPropertyBits = 29;  // u8, 0..8
-inline constexpr uint32_t kLookupBits = 30;    // u8, 0..16
-inline constexpr uint32_t kSetBits = 31;       // u8, 0..16
-inline constexpr uint32_t kRowBits = 32;       // u8, 0..8
-inline constexpr uint32_t kBytes = 33;
+inline constexpr uint32_t kLookups = 0;       // u16
+inline constexpr uint32_t kTopLookups = 2;    // u16, the first ones
+inline constexpr uint32_t kSets = 4;          // u16
+inline constexpr uint32_t kRows = 6;          // u16, 1..256
+inline constexpr uint32_t kCompositions = 8;  // u16
+inline constexpr uint32_t kCharacters = 10;   // u16
+inline constexpr uint32_t kEntries = 12;      // u16
+inline constexpr uint32_t kGlyphs = 14;       // u16, that have a row
+inline constexpr uint32_t kSteps = 16;        // u16, at most, a character
+inline constexpr uint32_t kPrograms = 18;     // u8
+inline constexpr uint32_t kScripts = 19;      // u8
+inline constexpr uint32_t kSpans = 20;        // u8
+inline constexpr uint32_t kProperties = 21;   // u8
+inline constexpr uint32_t kMarks = 22;        // u8
+inline constexpr uint32_t kMirrors = 23;      // u8
+inline constexpr uint32_t kWidths = 24;       // from there on 5 bits each
+inline constexpr uint32_t kWidthBits = 5;
+// As if they were bytes.
+inline constexpr uint32_t kGlyphBits = kWidths;  // 0..16
+inline constexpr uint32_t kRankBits = 25;        // 0..8
+inline constexpr uint32_t kMarkBits = 26;        // 0..8
+inline constexpr uint32_t kLetterBits = 27;      // 0..16
+inline constexpr uint32_t kOffsetBits = 28;      // 0..25
+inline constexpr uint32_t kPropertyBits = 29;    // 0..8
+inline constexpr uint32_t kLookupBits = 30;      // 0..16
+inline constexpr uint32_t kSetBits = 31;         // 0..16
+inline constexpr uint32_t kRowBits = 32;         // 0..8
+inline constexpr uint32_t kNumbersEnd = 33;
+inline constexpr uint32_t kHeaderBits =
+    8 * kWidths + (kNumbersEnd - kWidths) * kWidthBits;
 
 // Widths. [bits]
 inline constexpr uint32_t kCodeBits = 21;
@@ -430,8 +443,13 @@ inline constexpr uint32_t kRightToLeft = 1;
 inline constexpr uint32_t kJoins = 2;
 inline constexpr uint32_t kThai = 4;
 inline constexpr uint32_t kHebrew = 8;
+inline constexpr uint32_t kSyllables = 16;  // Devanagari
+inline constexpr uint32_t kHasReph = 32;    // its letter ra may become one
+inline constexpr uint32_t kEmoji = 64;
+inline constexpr uint32_t kSpaceIsFree = 128;  // all programs: none looks at it
 
 // Joining types; from kMark on it is a mark.
+inline constexpr uint32_t kBelowForm = 1;  // Devanagari: the letter has one
 inline constexpr uint32_t kJoinsNone = 0;
 inline constexpr uint32_t kJoinsRight = 1;
 inline constexpr uint32_t kJoinsDual = 2;
@@ -441,12 +459,23 @@ inline constexpr uint32_t kMark = 5;
 inline constexpr uint32_t kWideMark = 6;    // Hebrew: patah, qamats
 inline constexpr uint32_t kNarrowMark = 7;  // Hebrew: sheva, hiriq
 
+inline constexpr uint32_t kMarkClass = 3;  // of GDEF
+
 // Forms, and with them bits of masks.
 inline constexpr uint32_t kAnyForm = 1;
 inline constexpr uint32_t kIsolated = 2;
 inline constexpr uint32_t kFinal = 4;
 inline constexpr uint32_t kMedial = 8;
 inline constexpr uint32_t kInitial = 16;
+// Forms of Devanagari.
+inline constexpr uint32_t kReph = 2;
+inline constexpr uint32_t kHalf = 4;
+inline constexpr uint32_t kBelowBase = 8;
+inline constexpr uint32_t kBehindBase = 16;
+
+// Lookups of entries without a mask: what orders syllables.
+inline constexpr uint32_t kOrderFirst = 0;
+inline constexpr uint32_t kOrderLast = 1;
 
 // Types of lookups.
 inline constexpr uint32_t kSingle = 1;
@@ -469,6 +498,37 @@ inline constexpr uint32_t kMaxMarks = 32;
 /// Glyphs of a ligature, and glyphs that a context may change.
 inline constexpr uint32_t kMaxInput = 15;
 inline constexpr uint32_t kMaxSteps = 1024;
+inline constexpr uint32_t kMaxRows = 256;
 }  // namespace shaping
+
+// LAYT: tables of the source font as they are, for HarfBuzz. After the header,
+// for each glyph of the font its number in the source, u16, and of the list of
+// glyphs in the order of those numbers one glyph, u16.
+namespace kept_layout {
+inline constexpr uint32_t kGlyphs = 0;    // u16
+inline constexpr uint32_t kTables = 4;    // 3 times: tag, offset, size, u32
+inline constexpr uint32_t kSources = 40;  // the offset is from the section on
+}  // namespace kept_layout
+
+// COLR: glyphs of several colours. After the header the colours of all
+// palettes: red, green, blue, opacity, a byte each. Then one run of bit tables:
+// for each glyph that has layers, and for their end, its id and the number of
+// its first layer; and for each layer, from below, a glyph, which is drawn
+// without layers of its own, and a colour. From the number of colours on it is
+// that of the text, with an opacity of 255 less what it is above that.
+namespace layers {
+inline constexpr uint32_t kGlyphs = 0;      // u16, that have layers
+inline constexpr uint32_t kColours = 2;     // u16, of a palette
+inline constexpr uint32_t kPalettes = 4;    // u8
+inline constexpr uint32_t kGlyphBits = 5;   // u8, 0..16
+inline constexpr uint32_t kColourBits = 6;  // u8, 0..16
+inline constexpr uint32_t kStartBits = 7;   // u8, 0..25
+inline constexpr uint32_t kBytes = 8;
+inline constexpr uint32_t kColourBytes = 4;
+/// Layers of a glyph. A reader draws none of one that has more.
+inline constexpr uint32_t kMaxLayers = 64;
+/// The least opaque colour of the text, above the number of colours.
+inline constexpr uint32_t kMaxFaint = 254;
+}  // namespace layers
 
 }  // namespace inkcell::format

@@ -12,6 +12,7 @@
 #include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/word_shaper.hpp"
 
 namespace inkcell {
 
@@ -45,6 +46,10 @@ struct BidiOrder {
   uint32_t (*mirrored)(uint32_t code_point);
 };
 extern const BidiOrder kBidiOrder;
+
+// The same for words. Linked with LayoutOptions::set_shaper().
+struct ShapedWords;
+extern const ShapedWords kShapedWords;
 }  // namespace detail
 
 /// How text is set. Lengths are in px; 0 takes the default that is stated. What
@@ -83,9 +88,31 @@ struct LayoutOptions {
   Bidi* bidi() const noexcept { return bidi_; }
   const detail::BidiOrder* order() const noexcept { return order_; }
 
+  /// Joins letters, makes ligatures and places marks, where fonts can
+  /// (inkcell/shaping/text_shaper.hpp). Without it each character is drawn by
+  /// itself. Letter spacing does not part joined letters.
+  void set_shaper(WordShaper& shaper) noexcept {
+    shaper_ = &shaper;
+    words_ = &detail::kShapedWords;
+  }
+  WordShaper* shaper() const noexcept { return shaper_; }
+  const detail::ShapedWords* words() const noexcept { return words_; }
+
+  /// Call it when text was changed in place. Text boxes call it themselves.
+  void forget() const noexcept {
+    if (bidi_ != nullptr) {
+      bidi_->forget();
+    }
+    if (shaper_ != nullptr) {
+      shaper_->forget();
+    }
+  }
+
  private:
   Bidi* bidi_ = nullptr;
   const detail::BidiOrder* order_ = nullptr;
+  WordShaper* shaper_ = nullptr;
+  const detail::ShapedWords* words_ = nullptr;
 };
 
 /// A line of a text. What it shows is `length` bytes from `begin` on; spaces

@@ -16,10 +16,10 @@ namespace inkcell::motion {
 /// What a clock counts, and shows last: HH:MM or HH:MM:SS.
 enum class ClockUnit : uint8_t { minutes, seconds };
 
-/// A clock of four or six digits. Where the font holds the pair
-/// (inkcell-fontgen
-/// --morph) a digit becomes the next one by its outline, if the painter's
-/// workspace has OutlineMorph::workspace_bytes(); others roll.
+/// A clock of four or six digits. Where the font holds the pairs of all digits
+/// that change (inkcell-fontgen --morph) each becomes the next one by its
+/// outline, if the painter's workspace has OutlineMorph::workspace_bytes();
+/// otherwise all of them roll.
 class Clock {
  public:
   static constexpr int32_t kEndMs = 620;  // of a change
@@ -61,6 +61,7 @@ class Clock {
   uint32_t to_ = UINT32_MAX;
   int32_t since_ms_ = 0;
   ClockUnit unit_;
+  bool can_morph_ = false;  // all digits that change
 };
 
 }  // namespace inkcell::motion

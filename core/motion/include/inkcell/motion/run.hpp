@@ -6,6 +6,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/motion/pose.hpp"
+#include "inkcell/painter.hpp"
 #include "inkcell/shaped_run.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
@@ -18,18 +19,21 @@ namespace inkcell::motion {
 struct RunGlyph {
   int32_t x = 0;
   int32_t y = 0;
-  int32_t advance = 0;
+  int32_t advance = 0;  // of its letter: x + advance / 2 is the middle of that
   uint16_t glyph = 0;
   uint16_t word = 0;  // counted from the start of the text
   uint16_t line = 0;
   /// Twice the number of gaps between the line's anchor and the glyph: the
   /// factor of tracking.
   int16_t half_gaps = 0;
+  /// Counted from the start of the text: a letter with its marks, a ligature.
+  uint16_t letter = 0;
 };
 
 /// A laid-out text. `glyphs` is in the caller's buffer.
 struct Run {
   Span<const RunGlyph> glyphs;
+  uint16_t letters = 0;
   uint16_t words = 0;
   uint16_t lines = 0;
   int32_t width = 0;        // of the longest line [font units]
@@ -38,11 +42,20 @@ struct Run {
 
 /// Lays text out with the font's advances and kerning. A line feed starts a
 /// line, whose anchor stands at the run's origin. Glyphs without ink separate
-/// words and are left out. Letters are not joined, and marks not placed: see
-/// below for scripts that need it.
+/// words and are left out. With a LineShaper of the painter
+/// (inkcell/layout/line_shaper.hpp) letters join and keep their marks; its sink
+/// does not matter. Tracking parts letters that join.
 ///
-/// buffer_small: `out` holds fewer glyphs than the text; text.size always
-/// suffice. `run` is then untouched.
+/// buffer_small: `out` holds fewer glyphs than the text; text.size suffice, but
+/// where a shaper takes letters apart. `run` is then untouched.
+Status lay_out(const Painter& painter,
+               const Font& font,
+               Text text,
+               Anchor anchor,
+               Span<RunGlyph> out,
+               Run& run) noexcept;
+
+/// The same without a shaper: letters are not joined, and marks not placed.
 Status lay_out(const Font& font,
                Text text,
                Anchor anchor,
@@ -50,7 +63,7 @@ Status lay_out(const Font& font,
                Run& run) noexcept;
 
 /// The same of a line that was shaped when the program was built: ligatures,
-/// joined Arabic letters, placed marks. It is one word.
+/// joined Arabic letters, placed marks. It is one word, each glyph a letter.
 ///
 /// buffer_small: `out` holds fewer glyphs than the line; text.glyphs.size
 /// always suffice. `run` is then untouched.
@@ -60,7 +73,8 @@ Status lay_out(const Font& font,
                Span<RunGlyph> out,
                Run& run) noexcept;
 
-/// The units that a stagger counts, and the unit of a glyph.
+/// The units that a stagger counts, and the unit of a glyph. `glyph`: its
+/// letter, of which marks are a part.
 enum class Unit : uint8_t { glyph, word, line };
 /// How many a run has.
 uint32_t unit_count(const Run& run, Unit unit) noexcept;

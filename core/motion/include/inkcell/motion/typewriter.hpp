@@ -12,7 +12,10 @@
 
 namespace inkcell::motion {
 
-/// Text that is typed letter by letter, with a caret that blinks at rest.
+/// Text that is typed letter by letter, with a caret that blinks at rest. It
+/// stands from the start where it stands in the end: with a LineShaper of the
+/// painter (inkcell/layout/line_shaper.hpp) letters have the forms of the whole
+/// text, and come with their marks. At most kMaxLineBytes.
 class Typewriter {
  public:
   Typewriter(const Font& font,
@@ -37,6 +40,14 @@ class Typewriter {
 
  private:
   static constexpr int32_t kBlinkMs = 530;
+
+  template <typename Take>
+  void walk(const Painter& painter,
+            const Style& style,
+            const Take& take) const noexcept;
+  template <typename Take>
+  void for_each(const Painter& painter, const Take& take) const noexcept;
+  int32_t caret_width() const noexcept;
 
   Face face_;
   Point origin_;

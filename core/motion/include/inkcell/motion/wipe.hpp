@@ -29,6 +29,14 @@ class Wipe {
         timing_(timing),
         kind_(kind) {}
 
+  /// The edge moves from x0 to x1, and fades over `soft`, instead of over the
+  /// text and half an em: two wipes share an edge. Before the first at(). [px]
+  void set_edge(int32_t x0, int32_t x1, uint8_t soft) noexcept {
+    x0_ = x0;
+    x1_ = x1;
+    soft_ = soft;
+  }
+
   /// The painter is like the one that draws: as in ValueLabel::set().
   Rect at(int32_t now_ms, const Painter& painter) noexcept;
   void draw(const Painter& painter) const noexcept;
@@ -43,6 +51,8 @@ class Wipe {
   Timing timing_;
   Kind kind_;
   uint8_t soft_ = 0;  // [px]
+  int32_t x0_ = 0;    // where the edge begins and ends; equal: with the text
+  int32_t x1_ = 0;
   int32_t edge_ = INT32_MIN;
   Rect box_;
 };

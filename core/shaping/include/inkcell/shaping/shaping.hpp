@@ -2,8 +2,8 @@
 //
 //   Shaping shaping;
 //   INKCELL_TRY(Shaping::open(font, shaping));
-//   RunGlyph room[64];
-//   Span<RunGlyph> glyphs(room);
+//   TextGlyph room[64];
+//   Span<TextGlyph> glyphs(room);
 //   ScriptRun run = shaping.first_run(text, 0, text.size);
 //   INKCELL_TRY(shaping.shape(text, run, glyphs));
 //
@@ -22,28 +22,9 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/word_shaper.hpp"
 
 namespace inkcell {
-
-/// A glyph of a run, in visual order. [font units, y up] The 16 bytes that a
-/// caller lends for each.
-struct RunGlyph {
-  uint16_t glyph = 0;
-  /// Number of the code point in the run; of the first one where several make
-  /// glyphs together. A caret stands at its side, and never within.
-  uint16_t cluster = 0;
-  int16_t advance = 0;
-  int16_t x = 0;  // where it is drawn, from the pen
-  int16_t y = 0;
-
-  // Of shaping alone.
-  int8_t link = 0;        // to what it is attached; before: number of a mark
-  uint8_t flags = 0;      // detail::kIgnorable ...
-  uint8_t kind = 0;       // class, and forms
-  uint8_t row = 0;        // of its class and lookups; before: order of marks
-  uint8_t ligature = 0;   // its number; before: joining type
-  uint8_t component = 0;  // of a ligature; before: bits of the code point
-};
 
 /// Characters of one script, by their bytes.
 struct ScriptRun {
@@ -59,23 +40,25 @@ struct ScriptRun {
 };
 
 namespace detail {
-// Where the tables of SHAP begin, in bits, and how wide they are.
+class Shaper;
+
+enum class SyllableStep : uint8_t { split, part, order_first, order_last };
+
+/// Scripts whose letters change places in syllables: a part that is linked
+/// where a program names it.
+struct SyllableCode {
+  void (*run)(Shaper& shaper, SyllableStep step) noexcept;
+};
+
+// Where the tables of SHAP begin, in bits, and how wide their rows are.
 struct ShapeTables {
+  static constexpr uint32_t kNumbers = 24;
+  static constexpr uint32_t kTables = 14;
+
   Span<const uint8_t> bytes;
-  uint32_t scripts = 0;
-  uint32_t programs = 0;
-  uint32_t entries = 0;
-  uint32_t spans = 0;
-  uint32_t characters = 0;
-  uint32_t properties = 0;
-  uint32_t marks = 0;
-  uint32_t compositions = 0;
-  uint32_t mirrors = 0;
-  uint32_t lookups = 0;
-  uint32_t sets = 0;
-  uint32_t glyph_rows = 0;
-  uint32_t rows = 0;
-  uint32_t data = 0;
+  uint16_t numbers[kNumbers];  // of the header
+  uint32_t begins[kTables];
+  uint16_t row_bits[kTables];
 
   // False: they do not fit the section.
   bool open(Span<const uint8_t> section) noexcept;
@@ -94,13 +77,29 @@ class Shaping {
 
   /// `font` must outlive it. unsupported: the font was made without --shape;
   /// corrupt: the section's tables do not fit. `out` is untouched unless the
-  /// result is ok.
+  /// result is ok, and keeps its language.
   static Status open(const Font& font, Shaping& out) noexcept;
+
+  /// The same for a program that shapes syllables too: with kDevanagari of
+  /// inkcell/shaping/devanagari.hpp.
+  static Status open(const Font& font,
+                     const detail::SyllableCode& syllables,
+                     Shaping& out) noexcept {
+    INKCELL_TRY(open(font, out));
+    out.syllables_ = &syllables;
+    return Status::ok;
+  }
 
   /// Chooses forms of a language by its tag of OpenType, such as
   /// format::tag('U', 'R', 'D', ' '); without a program of it in the font, and
   /// by 0, those of the script.
   void set_language(uint32_t tag) noexcept { language_ = tag; }
+
+  /// Whether nothing that the font says concerns the space: words that are
+  /// shaped alone are what they are in their line.
+  bool parts_at_spaces() const noexcept;
+  /// Whether the letters of a run join.
+  bool joins(const ScriptRun& run) const noexcept;
 
   /// The run at the beginning of the bytes [begin, end), which must not be
   /// empty, lie in `text` and begin and end between characters. Spaces, digits,
@@ -116,17 +115,21 @@ class Shaping {
   ///
   /// buffer_small: the room is too small; twice the characters are enough for
   /// most text. unsupported: the font's tables took more work than its header
-  /// allows, or nested deeper than four. bad_argument: more than 65535
+  /// allows, or nested deeper than four, or the script has syllables, and
+  /// open() was called without their code. bad_argument: more than 65535
   /// characters, or a run outside of the text. `glyphs` is then empty.
   Status shape(const Text& text,
                const ScriptRun& run,
-               Span<RunGlyph>& glyphs) const noexcept;
+               Span<TextGlyph>& glyphs) const noexcept;
 
  private:
+  friend class TextShaper;
+
   uint32_t program_of(uint32_t code_point) const noexcept;
 
   const Font* font_ = nullptr;
-  detail::ShapeTables tables_;
+  const detail::SyllableCode* syllables_ = nullptr;
+  detail::ShapeTables tables_ = {};
   uint32_t language_ = 0;
 };
 

@@ -21,31 +21,13 @@
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/storage.hpp"
 #include "inkcell/stored/paged.hpp"
 
 namespace inkcell {
 
 /// Outlines, the coding of StoredFont::open without a name.
 extern const Coding kStoredOutlineCoding;
-
-/// Storage of a font. `read` fills in `count` bytes from `offset` on, counted
-/// from the font's first byte, and tells whether it could. Both are multiples
-/// of 512.
-struct Storage {
-  bool (*read)(void* context,
-               uint32_t offset,
-               uint8_t* bytes,
-               uint32_t count) = nullptr;
-  void* context = nullptr;
-};
-
-/// The work of a stored font since it was opened.
-struct StoredStats {
-  uint32_t reads = 0;     // calls of Storage::read
-  uint32_t bytes = 0;     // that it was asked for
-  uint32_t failures = 0;  // blocks that could not be read, or do not fit
-  uint32_t blocks = 0;    // that the lent RAM holds at once
-};
 
 /// Holds a pointer into the RAM that it was lent: as cheap to copy. The RAM and
 /// the storage must outlive it and copies of its font. For one task at a time.

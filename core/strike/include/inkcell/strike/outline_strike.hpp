@@ -24,8 +24,8 @@
 namespace inkcell {
 
 /// For Font::open(): the header of a font names its own. That of bits draws
-/// strikes of 1 bit and no others, in less code. kOutlineCoding opens such
-/// fonts too, and passes strikes over.
+/// strikes of 1 bit and no others, in less code; the other one takes more time
+/// for those. kOutlineCoding opens such fonts too, and passes strikes over.
 extern const Coding kOutlineStrikeCoding;
 extern const Coding kOutlineBitStrikeCoding;
 

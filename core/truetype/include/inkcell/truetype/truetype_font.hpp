@@ -6,7 +6,8 @@
 //
 // font() is a Font like any other: for text, layout, labels, boxes, caches, as
 // a fallback. Outlines are those of the file, with kerning of `kern` format 0
-// and of GPOS pairs. There are no hints: grid fitting does nothing. Of a
+// and of GPOS pairs. There are no hints: a style that is fitted (fit.hpp)
+// moves heights only, the baseline, the x-height and that of capitals. Of a
 // variable font the default instance is drawn. Fonts with outlines of CFF
 // (.otf) are refused: inkcell-fontgen reads them.
 //
@@ -30,15 +31,15 @@ namespace inkcell {
 extern const Coding kTrueTypeCoding;
 
 namespace detail {
-// The tables of a file. Bytes are big endian.
+// What drawing needs of a file, wherever its bytes are.
 struct TrueTypeFace : FontPages {
-  Span<const uint8_t> file;
-  Span<const uint8_t> glyf;
-  Span<const uint8_t> loca;
-  Span<const uint8_t> hmtx;
-  Span<const uint8_t> cmap;  // the subtable in use
-  Span<const uint8_t> kern;  // likewise; empty if GPOS kerns
-  Span<const uint8_t> gpos;
+  // The record of a glyph in `records`; empty for a space, and where something
+  // does not fit. With `left_bearing` the glyph is drawn next, without it it is
+  // a component of that.
+  Span<const uint8_t> (*record)(const TrueTypeFace& face,
+                                uint32_t glyph,
+                                int32_t* left_bearing) noexcept = nullptr;
+  Span<const uint8_t> records;
   uint16_t glyphs = 0;
   uint16_t advances = 0;  // pairs in hmtx
   uint8_t cmap_format = 0;
@@ -48,6 +49,21 @@ struct TrueTypeFace : FontPages {
 
   constexpr TrueTypeFace() noexcept : FontPages() {}
 };
+
+// With the tables of a file. Bytes are big endian.
+template <typename Bytes>
+struct TrueTypeTables : TrueTypeFace {
+  using AnyTable = Bytes;
+
+  Bytes glyf;
+  Bytes loca;
+  Bytes hmtx;
+  Bytes cmap;  // the subtable in use
+  Bytes kern;  // likewise; empty if GPOS kerns
+  Bytes gpos;
+};
+using MappedTrueType = TrueTypeTables<Span<const uint8_t>>;
+class StoredTrueTypeFile;
 }  // namespace detail
 
 /// Views the file, owns nothing: the bytes must outlive it. font() and copies
@@ -86,7 +102,14 @@ class TrueTypeFont {
   static const detail::TrueTypeFace& face_of(const Font& font) noexcept;
 
  private:
-  detail::TrueTypeFace face_;
+  friend class detail::StoredTrueTypeFile;
+
+  static void make_font(const detail::TrueTypeFace& face,
+                        uint32_t units_per_em,
+                        const Coding& coding,
+                        Font& out) noexcept;
+
+  detail::MappedTrueType face_;
   Font font_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/canvas_colour.hpp"
 #include "inkcell/port/canvas.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
@@ -21,6 +22,11 @@ struct Rgb565Pixels {
 
   static const SinkKind kKind;
 };
+
+// CanvasColour::put of these pixels.
+void put_picture(void* pixels,
+                 const ColourPicture& picture,
+                 const Rect& window) noexcept;
 }  // namespace detail
 
 /// Blends in 32, 64 and 32 levels, with coverage in 32 steps: at most one level

@@ -1,4 +1,4 @@
-// Slits: where a hole opens in ink that has none.
+// Births: where a contour appears that one glyph lacks.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace inkcell::gen {
 
-/// Contours that open to `hole` from slits in the strokes of `glyph`, which is
-/// the outline number `missing` of the pair: the nearest first.
-std::vector<MorphContour> slits_for(const Loop& hole,
+/// `loop` as it grows from points of the medial axis of `glyph`, which is the
+/// outline number `missing` of the pair: the nearest and deepest first.
+std::vector<MorphContour> births_of(const Loop& loop,
                                     const std::vector<Loop>& glyph,
                                     int missing);
 
