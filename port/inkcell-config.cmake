@@ -1,6 +1,6 @@
 # The installed package: targets inkcell::core, its libraries (inkcell::cache,
-# inkcell::layout, inkcell::motion, inkcell::simulation, inkcell::stored,
-# inkcell::strike),
+# inkcell::figures, inkcell::layers, inkcell::layout, inkcell::motion, inkcell::simulation,
+# inkcell::stored, inkcell::strike),
 # inkcell::port_* and inkcell::c, which the project that asks compiles itself,
 # and the function inkcell_add_font().
 cmake_policy(VERSION 3.25)

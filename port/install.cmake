@@ -7,7 +7,8 @@ include(GNUInstallDirs)
 
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/inkcell)
 set(sources ${CMAKE_INSTALL_DATADIR}/inkcell)
-foreach(folder core port/pixel port/display port/c/examples port/lvgl port/make)
+foreach(folder core port/pixel port/display port/c/examples port/harfbuzz port/lvgl
+    port/make)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
     DESTINATION ${sources}/${folder}
     FILES_MATCHING

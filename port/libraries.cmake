@@ -3,12 +3,15 @@
 # and displays, and the libraries of libraries.kconfig.
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(parts ${root}/core ${root}/port/pixel ${root}/port/display)
-foreach(name cache field layout motion shaping simulation stored strike truetype)
+foreach(name cache field layout motion figures layers shaping simulation stored strike truetype)
   string(TOUPPER ${name} option)
   if(CONFIG_INKCELL_${option})
     list(APPEND parts ${root}/core/${name})
   endif()
 endforeach()
+if(CONFIG_INKCELL_LVGL)
+  list(APPEND parts ${root}/port/lvgl)
+endif()
 # The interface for C is made when CMake runs, which it does again after a change of
 # the tables.
 if(CONFIG_INKCELL_C)

@@ -17,7 +17,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 # Arduino compiles all that a library has; the linker drops what is not called.
-LIBRARIES = ("cache", "field", "layout", "motion", "shaping",
+LIBRARIES = ("cache", "field", "figures", "layers", "layout", "motion", "shaping",
              "simulation", "stored", "strike", "truetype")
 # Folders below the project's, and where their content goes below src/.
 FOLDERS = {"core/include": ".", "core/src": ".",
@@ -25,6 +25,8 @@ FOLDERS = {"core/include": ".", "core/src": ".",
            **{f"core/{name}/src": name for name in LIBRARIES},
            "port/pixel/include": ".", "port/display/include": ".",
            "port/pixel/src": "pixel", "port/display/src": "display"}
+# Compiled where a sketch includes <lvgl.h>, and so has its folder.
+LVGL = {"port/lvgl/include": ".", "port/lvgl/src": "lvgl"}
 # Until the library has one.
 NO_PAGE = "https://inkcell.invalid"
 
@@ -63,10 +65,12 @@ def main():
         subprocess.run([sys.executable, "-B", ROOT / "port/c/make_api.py", made],
                        check=True)
         of_c = {f"{made}/include": ".", f"{made}/src": "c"}
-        for source, target in {**FOLDERS, **of_c}.items():
+        for source, target in {**FOLDERS, **LVGL, **of_c}.items():
             shutil.copytree(ROOT / source, folder / "src" / target,
                             dirs_exist_ok=True,
                             ignore=shutil.ignore_patterns("*.md"))
+    for path in (folder / "src/lvgl").glob("*.cpp"):
+        path.write_text(f"#if __has_include(<lvgl.h>)\n{path.read_text()}#endif\n")
     shutil.copy(HERE / "InkcellPrint.h", folder / "src")
     (folder / "src/Inkcell.h").write_text(all_headers())
     properties = (HERE / "library.properties").read_text()

@@ -7,6 +7,9 @@ idf_component_register(
   PRIV_INCLUDE_DIRS ${root}/core/src
   KCONFIG ${CMAKE_CURRENT_LIST_DIR}/Kconfig)
 target_compile_features(${COMPONENT_LIB} PUBLIC cxx_std_17)
+if(CONFIG_INKCELL_LVGL)
+  idf_component_optional_requires(PUBLIC lvgl lvgl__lvgl)
+endif()
 target_compile_options(${COMPONENT_LIB} PRIVATE -ffunction-sections -fdata-sections)
 
 # After idf_component_register() of a component that has REQUIRES inkcell:

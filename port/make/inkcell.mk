@@ -24,9 +24,11 @@
 # of the Makefile.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core: pixel, display (which
-# needs pixel), cache, field, layout, motion, simulation (which needs motion), stored,
-# shaping, strike, truetype, c (which needs cache, field, layout, motion, strike and
-# display). Set it before the include; by default it is pixel and display.
+# needs pixel), cache, field, layout, motion, figures, layers and simulation (which need
+# motion), stored, shaping, strike, truetype, c (which needs cache, field, layout, motion,
+# figures, layers, shaping, strike, truetype and display), and lvgl, fonts for LVGL 9 (which needs
+# cache, layers, strike, truetype, pixel, and LVGL_PATH, the folder of lvgl.mk). Set it before the
+# include; by default it is pixel and display.
 #
 # The interface for C is made in $(INKCELL_BUILD)/port/c by $(INKCELL_PYTHON), before
 # Make goes on. A release and an installation have it made.
@@ -34,15 +36,21 @@ INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_PYTHON ?= python3
 INKCELL_LIBRARIES ?= pixel display
-INKCELL_KNOWN := pixel display cache field layout motion shaping simulation stored strike truetype c
+INKCELL_KNOWN := pixel display cache field layout motion figures layers shaping simulation stored strike truetype c lvgl
 ifneq ($(filter-out $(INKCELL_KNOWN),$(INKCELL_LIBRARIES)),)
   $(error INKCELL_LIBRARIES: there is no $(filter-out $(INKCELL_KNOWN),\
     $(INKCELL_LIBRARIES)); there are $(INKCELL_KNOWN))
 endif
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache field layout motion strike display
+  override INKCELL_LIBRARIES += cache field layout figures layers shaping strike truetype display
 endif
-ifneq ($(filter simulation,$(INKCELL_LIBRARIES)),)
+ifneq ($(filter lvgl,$(INKCELL_LIBRARIES)),)
+  override INKCELL_LIBRARIES += cache layers strike truetype pixel
+  ifeq ($(wildcard $(LVGL_PATH)/lvgl.h),)
+    $(error LVGL_PATH is '$(LVGL_PATH)', where LVGL is not: INKCELL_LIBRARIES has lvgl)
+  endif
+endif
+ifneq ($(filter figures layers simulation,$(INKCELL_LIBRARIES)),)
   override INKCELL_LIBRARIES += motion
 endif
 ifneq ($(filter display,$(INKCELL_LIBRARIES)),)
@@ -51,8 +59,8 @@ endif
 INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(sort \
-  $(addprefix $(INKCELL)/core/,$(filter cache field layout motion shaping simulation stored strike truetype,$(INKCELL_LIBRARIES))) \
-  $(addprefix $(INKCELL)/port/,$(filter pixel display,$(INKCELL_LIBRARIES))))
+  $(addprefix $(INKCELL)/core/,$(filter cache field layout motion figures layers shaping simulation stored strike truetype,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/port/,$(filter pixel display lvgl,$(INKCELL_LIBRARIES))))
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
   ifneq ($(wildcard $(INKCELL)/port/c/include),)
     INKCELL_PARTS += $(INKCELL)/port/c
@@ -67,7 +75,8 @@ ifeq ($(INKCELL_SOURCES),)
   $(error INKCELL is $(INKCELL), where Inkcell is not)
 endif
 INKCELL_INCLUDES := -I$(INKCELL)/core/include \
-  $(patsubst %,-I%/include,$(INKCELL_PARTS)) -I$(INKCELL_FONTS)
+  $(patsubst %,-I%/include,$(INKCELL_PARTS)) -I$(INKCELL_FONTS) \
+  $(if $(filter lvgl,$(INKCELL_LIBRARIES)),-I$(LVGL_PATH))
 INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
   -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
   -ffunction-sections -fdata-sections

@@ -5,12 +5,15 @@ environment is the arguments of one call of inkcell-fontgen, without --out.
     custom_inkcell_fonts =
         --font=fonts/DejaVuSans.ttf --name=dejavu_sans --chars=0x20-0x7E
 
+`custom_inkcell_lvgl = yes` compiles fonts for LVGL 9, too, which lib_deps names.
+
 The sources include <fonts/dejavu_sans.hpp>. The program is found in PATH, or is
 named by custom_inkcell_fontgen.
 """
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 
@@ -20,7 +23,17 @@ library = pathlib.Path(pio_lib_builder.path)
 made = library / "build/port/c"
 subprocess.run([sys.executable, "-B", library / "port/c/make_api.py", made], check=True)
 
+# Fonts for LVGL, whose headers a project has or has not.
+for path in library.glob("port/lvgl/src/*"):
+    copy = made.parent / "lvgl/src" / path.name
+    if env.GetProjectOption("custom_inkcell_lvgl", "no") == "yes":
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, copy)
+    else:
+        copy.unlink(missing_ok=True)
+
 fontgen = env.GetProjectOption("custom_inkcell_fontgen", "inkcell-fontgen")
+fontgen = shutil.which(fontgen) or fontgen  # on Windows npm's is a .cmd
 include = pathlib.Path(env.subst("$BUILD_DIR")) / "inkcell_fonts"
 (include / "fonts").mkdir(parents=True, exist_ok=True)
 for line in env.GetProjectOption("custom_inkcell_fonts", "").splitlines():

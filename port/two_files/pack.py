@@ -21,8 +21,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Rooms that may change at any time stay out.
 ROOMS = ("core", "core/cache", "core/field", "core/layout", "core/motion",
-         "core/shaping", "core/stored", "core/strike", "core/truetype", "port/pixel",
-         "port/display")
+         "core/figures", "core/layers", "core/shaping", "core/stored", "core/strike",
+         "core/truetype", "port/pixel", "port/display")
 INCLUDE = re.compile(r'#include ["<]([\w/.]+)[">]')
 HEAD = """// Inkcell {version}: {what}.
 // Made by port/two_files/pack.py of the library's sources: edit those instead.

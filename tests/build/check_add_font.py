@@ -21,7 +21,7 @@ CASES = [
     (f"app {FONT} CODING outline PREDICATE fixed",
      "PREDICATE fixed is for CODING field"),
     (f"app {FONT} CODING", "not understood: CODING"),
-    (f"app {FONT} COLOUR red", "not understood: COLOUR"),
+    (f"app {FONT} COLOR red", "not understood: COLOR"),
     (f"app {FONT} CHARS A MAXPX 30", "not understood: MAXPX"),
     (f"app {FONT} CHARACTERS A", "The options are FONT NAME SYMBOLS MIN_PX MAX_PX"),
     (f"app OFF {FONT}", "not understood: OFF"),

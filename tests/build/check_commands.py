@@ -36,6 +36,11 @@ FILES = {
     "DejaVuSans.ttf": FONT, "Sans.ttf": FONT, "FONT.ttf": FONT,
     "Loma.ttf": FONTS / "truetype/tlwg/Loma.ttf",
     "NotoSansCJK-Regular.ttc": FONTS / "opentype/noto/NotoSansCJK-Regular.ttc",
+    # LVGL's is not here; this one has the same symbols.
+    "lvgl/scripts/built_in_font/FontAwesome5-Solid+Brands+Regular.woff":
+        FONTS / "truetype/font-awesome/fontawesome-webfont.ttf",
+    "icons/sun.svg": '<svg viewBox="0 0 8 8"><circle cx="4" cy="4" r="4" '
+                     'fill="#fc0"/></svg>',
     "terminus.bdf": "STARTFONT 2.1\nFONT a-iso10646-1\nSIZE 16 72 72\n"
                     "FONTBOUNDINGBOX 8 16 0 -4\nSTARTPROPERTIES 3\n"
                     "PIXEL_SIZE 16\nCHARSET_REGISTRY \"ISO10646\"\n"

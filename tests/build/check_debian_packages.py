@@ -27,12 +27,16 @@ from toolchains import ROOT, finish, run
 # Packages that no file is found of, and what needs them.
 TRACELESS = {
     "aspell-fa": "aspell dumps its words for tests/gen/shaped_words.py",
+    "aspell-hi": "aspell dumps its words for tests/gen/shaped_words.py",
+    "aspell-mr": "aspell dumps its words for tests/gen/shaped_words.py",
     "ccache": "tests/run.sh calls compilers by it",
     "fonts-noto-core": "faces of tests/gen/shaped_words.py, in a folder of it",
     "libclang-rt-dev": "clang links it for sanitizers and the fuzzer",
     "libnewlib-arm-none-eabi": "hosted C in tests/build/packages, tests/bench",
+    "librust-cc-dev": "cargo compiles it for port/rust in tests/build/check_rust.py",
     "picolibc-riscv64-unknown-elf": "hosted C in tests/bench",
     "python3-pygments": "MkDocs colours code by it",
+    "rust-src": "tests/build/check_rust.py compiles the core of Rust for Cortex-M0",
     "zopfli": "host_tools/playground/build.mjs packs the page by it",
 }
 BASE = ("apt", "git")

@@ -11,7 +11,7 @@ import shutil
 from toolchains import FONT, ROOT, arguments, finish, run
 
 SOURCES = ["boards", "core", "port", "tests"]
-ENDINGS = (".hpp", ".cpp", ".c", ".ini", ".ino", ".py")
+ENDINGS = (".hpp", ".cpp", ".c", ".ini", ".ino", ".py", ".rs", ".toml")
 BLOCK = re.compile(r"^ *```(\w+)\n(.*?)^ *```", re.M | re.S)
 
 

@@ -21,6 +21,10 @@ HERE = ROOT / "tests/build/esphome"
 SOURCES = [HERE / "test_font.cpp", COMPONENT / "inkcell_font.cpp"]
 
 
+# The configuration of which the fonts are a part.
+CONFIG = {}
+
+
 class Anything:
     """Any attribute, called with anything, is the like."""
 
@@ -50,14 +54,16 @@ class Codegen(Anything):
 
 class Validation(Anything):
     class Invalid(Exception):
-        pass
+        def __init__(self, message, path=()):
+            super().__init__(message)
+            self.path = path
 
 
 def load_component():
     """The component's Python with modules of ESPHome that are played."""
     codegen = Codegen()
     core = types.SimpleNamespace(
-        CORE=types.SimpleNamespace(relative_config_path=pathlib.Path),
+        CORE=types.SimpleNamespace(relative_config_path=pathlib.Path, config=CONFIG),
         HexInt=int)
     const = types.SimpleNamespace(CONF_FILE="file", CONF_GLYPHS="glyphs",
                                   CONF_ID="id", CONF_RAW_DATA_ID="raw",
@@ -75,6 +81,9 @@ def load_component():
     Validation.Required = Validation.Optional = staticmethod(
         lambda name, default=None: name)
     Validation.GenerateID = staticmethod(lambda name: name)
+    Validation.All = staticmethod(lambda *parts: parts)
+    Validation.ensure_list = staticmethod(
+        lambda _: lambda value: value if isinstance(value, list) else [value])
     exec(compile(path.read_text(), str(path), "exec"), module)
     return module, codegen
 
@@ -103,12 +112,58 @@ def check_python(fontgen):
         if module["make_font"]("no-such-program", made, "0123") != made.read_bytes():
             problems.append("a font that was made before is not taken")
         made.unlink()
-    try:
-        asyncio.run(module["to_code"]({**fonts[0], "fontgen": "no-such-program"}))
-        problems.append("a generator that is not there is no error")
-    except Validation.Invalid as error:
-        if "PATH" not in str(error):
-            problems.append(f"no remedy: {error}")
+    return problems + check_refused(module, fonts[0]) + check_levels(module)
+
+
+def check_refused(module, font):
+    """What `esphome config` must refuse, and the words of why."""
+    whole = module["make_font"](font["fontgen"], font["file"], "0123")
+    bad = {"cut.bin": whole[:-4], "changed.bin": whole[:-1] + b"?", "no.bin": b"no font",
+           "no.ttf": b"no font", "whole.bin": whole}
+    for name, data in bad.items():
+        pathlib.Path(name).write_bytes(data)
+    problems = []
+    plain = {name: value for name, value in font.items() if name != "glyphs"}
+    for change, words in (({"fontgen": "no-such-program", "glyphs": "7"}, "PATH"),
+                          ({"glyphs": "0\u4e00"}, "U+4E00"),
+                          ({"file": "cut.bin"}, "cut short"),
+                          ({"file": "changed.bin"}, "copy it again"),
+                          ({"file": "no.bin"}, "no font of"),
+                          ({"file": "gone.bin"}, "gone.bin"),
+                          ({"file": "no.ttf"}, "no.ttf"),
+                          ({"file": "whole.bin", "glyphs": "0"}, "leave `glyphs` out")):
+        try:
+            module["made"]({**plain, **change})
+            problems.append(f"{change} is valid")
+        except Validation.Invalid as error:
+            if words not in str(error):
+                problems.append(f"{change}: {error}")
+    module["made"]({**plain, "file": "whole.bin"})
+    for glyphs in ("0123", ["01", "23"]):
+        value = glyphs
+        for step in module["GLYPHS"]:
+            value = step(value)
+        if value != "0123":
+            problems.append(f"glyphs {glyphs} are {value}")
+    if "\u00b0" not in module["key_of"](plain)[2]:
+        problems.append("there is no degree sign by default")
+    for name in bad:
+        pathlib.Path(name).unlink()
+    return problems
+
+
+def check_levels(module):
+    """Two colours are the default where all displays have them."""
+    problems = []
+    for platforms, given, wanted in ((["ssd1306_i2c"], {}, True),
+                                     (["ssd1306_i2c", "ili9xxx"], {}, False),
+                                     ([], {}, False), (["st7789v"], {}, False),
+                                     (["pcd8544"], {"levels": 256}, False),
+                                     (["st7789v"], {"levels": 2}, True)):
+        CONFIG["display"] = [{"platform": name} for name in platforms]
+        if module["has_two_colours"](given) != wanted:
+            problems.append(f"{platforms}, {given}: not {wanted}")
+    CONFIG.clear()
     return problems
 
 

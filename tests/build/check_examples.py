@@ -20,7 +20,10 @@ EXAMPLES = ROOT / "port/display/examples"
 TOOLCHAIN = ROOT / "tests/bench/firmware/toolchain_m0.cmake"
 QEMU = ROOT / "boards/common/qemu_run.sh"
 # Programs that are linked, not run.
-SMALL = ("least_oled.cpp", "least_strike.cpp", "thermometer.c")
+SMALL = ("least_oled.cpp", "least_both.cpp", "least_any.cpp", "least_strike.cpp",
+         "thermometer.c", "any_truetype.cpp")
+# What strikes beside outlines add to a program's code: of 1 bit, and of any.
+MOST_BESIDE = {"least_both.cpp": 1000, "least_any.cpp": 1300}
 # The most lines of a program's main() and of the function that it runs.
 MOST_LINES = 60
 
@@ -93,6 +96,12 @@ def main():
          *(pathlib.Path(source).stem for source in SMALL))
     figures = {source: sizes_of(work / f"{pathlib.Path(source).stem}.elf")
                for source in SMALL}
+    for source, most in MOST_BESIDE.items():
+        beside = figures[source]["code"] - figures["least_oled.cpp"]["code"]
+        print(f"{source}: {beside} bytes of code beside outlines")
+        if beside > most:
+            problems.append(f"strikes beside outlines take {beside} bytes of code "
+                            f"in {source}; {most} are allowed")
     screens = {}
     for program in programs:
         problems += check(program, work, screens, figures)

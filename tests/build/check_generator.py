@@ -103,8 +103,9 @@ def main():
     own = [f"-I{path}" for path in
            (SOURCES, ROOT / "fonts_gen/program", ROOT / "core/include",
             ROOT / "core/src", ROOT / "core/field/include",
-            ROOT / "core/field/src", ROOT / "core/shaping/include",
-            ROOT / "core/stored/include", ROOT / "core/strike/include")]
+            ROOT / "core/field/src", ROOT / "core/layers/include",
+            ROOT / "core/shaping/include", ROOT / "core/stored/include",
+            ROOT / "core/strike/include")]
     libraries = ["-isystem", headers]
     for name in ("freetype2", "harfbuzz", "fribidi"):
         libraries += ["-isystem", headers / name]

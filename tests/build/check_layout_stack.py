@@ -30,7 +30,7 @@ ENTRIES = ["LineBreaker::next", "next_line", "shorten", "lay_out",
 CALLS_BIDI = {
     "prepare": ["prepare", "find_next_line", "next_line", "next", "shorten",
                 "lay_out", "make", "draw", "box", "hit", "caret"],
-    "level": ["level", "find_end", "cut_front", "cut_back", "width_of"],
+    "level": ["level", "find_end", "cut_front", "next_cell"],
     "first_run": ["begin_text"],
     "next_run": ["begin_character"],
     "mirrored": ["look_up"],
@@ -44,6 +44,10 @@ CALLS_SINK = ["draw_line", "draw_lines", "place_near", "measure", "lay_out"]
 # Who asks for a substitute of a character.
 CALLS_REPORT = ["replace"]
 CALLS_PAGES = ["find_row", "glyph_of", "kerning"]
+# Who asks for words: of a program that names a shaper, whose stack comes on top.
+CALLS_WORDS = ["put_word", "next", "continues", "begin_cluster", "begin_character",
+               "advance", "lay_out_in", "draw_line", "find_end", "shorten_line", "find",
+               "look", "open"]
 
 # Where drawing begins.
 DRAWING = re.compile(r"^inkcell::Painter::")
@@ -115,7 +119,7 @@ class Chains:
             members = [member for member, callers in CALLS_BIDI.items()
                        if name in callers]
             if not members and name not in (CALLS_FITTER + CALLS_SINK + CALLS_REPORT +
-                                            CALLS_PAGES):
+                                            CALLS_PAGES + CALLS_WORDS):
                 self.unknown.add(name)
             targets |= {self.bidi[member] for member in members}
         return [target for target in targets

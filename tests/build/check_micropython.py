@@ -20,7 +20,10 @@ WITHOUT = ["MICROPY_PY_BTREE=0", "MICROPY_PY_SSL=0", "MICROPY_SSL_MBEDTLS=0",
            "FROZEN_MANIFEST="]
 # What draw.py must say, but for its counts of pixels.
 SAID = ["inkcell: bad_magic", "inkcell: buffer_small", "inkcell: unsupported",
-        "inkcell: bad_argument"]
+        "inkcell: bad_argument", "inkcell: read_failed", "color True",
+        "lines ['21 22', '23', '24 25'] True", "below 24 24 True True",
+        "wrap(text, width, size", "see help(inkcell.Font)"]
+UNSAID = ["no error", "ends beyond"]
 
 
 def check_played(work):
@@ -56,6 +59,10 @@ def check_real(sources, work, build, fontgen):
     print(drawn.stdout, end="")
     problems = [f"draw.py does not say {words}" for words in SAID
                 if words not in drawn.stdout]
+    problems += [f"draw.py says {words}" for words in UNSAID
+                 if words in drawn.stdout]
+    if not re.search(r"^moved \{\d+\}$", drawn.stdout, re.M):
+        problems.append("fonts at other addresses differ")
     counts = re.findall(r"^(\w+) (\d+)$", drawn.stdout, re.M)
     if len(counts) != 6 or any(int(count) < 100 for _, count in counts):
         problems.append(f"draw.py: {drawn.stdout}")

@@ -15,8 +15,8 @@ MAKE_API = [sys.executable, "-B", ROOT / "port/c/make_api.py"]
 subprocess.run([*MAKE_API, MADE], check=True)
 
 # The folders of core that are libraries of their own, each before those that use it.
-LIBRARIES = ("cache", "field", "layout", "motion", "shaping", "simulation", "stored",
-             "strike", "truetype")
+LIBRARIES = ("cache", "field", "layout", "motion", "figures", "layers", "shaping",
+             "simulation", "stored", "strike", "truetype")
 
 # What most tests make fonts of.
 FONTS = pathlib.Path("/usr/share/fonts")
@@ -65,12 +65,12 @@ def c_compiler(machine):
 
 def device_sources():
     """Sources of everything that runs on a device: core, its libraries and port,
-    but for what needs the headers of LVGL."""
+    but for what needs the headers of LVGL or HarfBuzz."""
     return sorted([*ROOT.glob("core/src/**/*.cpp"),
                    *(path for name in LIBRARIES
                      for path in ROOT.glob(f"core/{name}/src/*.cpp")),
                    *(path for path in ROOT.glob("port/*/src/*.cpp")
-                     if path.parts[-3] != "lvgl"),
+                     if path.parts[-3] not in ("harfbuzz", "lvgl")),
                    *MADE.glob("src/*.cpp")])
 
 
@@ -78,7 +78,8 @@ def device_headers():
     """Public headers, as a program includes them."""
     roots = [ROOT / "core/include",
              *(ROOT / f"core/{name}/include" for name in LIBRARIES),
-             *sorted(ROOT.glob("port/*/include"))]
+             *(path for path in sorted(ROOT.glob("port/*/include"))
+               if path.parent.name != "harfbuzz")]
     return sorted(str(path.relative_to(root))
                   for root in roots for path in root.glob("**/*.hpp"))
 
@@ -129,11 +130,11 @@ def call(*command, **options):
     return result.stdout
 
 
-def make_font(fontgen, header, chars="0x20-0x7E"):
+def make_font(fontgen, header, chars="0x20-0x7E", *options):
     """Makes a header of C++; its array has the header's name."""
     header.parent.mkdir(parents=True, exist_ok=True)
     call(fontgen, f"--font={FONT}", f"--chars={chars}", f"--name={header.stem}",
-         "--quiet", f"--out={header}")
+         "--quiet", "--format=hpp", f"--out={header}", *options)
 
 
 def compile_object(machine, flags, source, target, **options):

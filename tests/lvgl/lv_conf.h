@@ -22,5 +22,6 @@
 #define LV_USE_THEME_MONO 0
 #define LV_BUILD_EXAMPLES 0
 #define LV_BUILD_DEMOS 0
+#define LV_USE_TINY_TTF 1
 
 #endif

@@ -1,10 +1,13 @@
 // Pictures of labels: Inkcell's fonts beside LVGL's own, which lv_font_conv
 // made from the same file, as LVGL draws them.
 //
-//   inkcell_lvgl_shots FOLDER   writes text.png, text_large.png and digit.png
+//   inkcell_lvgl_shots FOLDER   writes text.png, text_large.png, arc.png,
+//   digit.png
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -96,6 +99,58 @@ Image draw_digit() {
   return picture_of(screen, kWidth, kHeight);
 }
 
+void add_arc(const lv_font_t& font, int32_t x) {
+  lv_obj_t* const arc = lv_arclabel_create(lv_screen_active());
+  lv_obj_set_pos(arc, x, 0);
+  lv_obj_set_size(arc, 180, 180);
+  lv_arclabel_set_radius(arc, 70);
+  lv_arclabel_set_angle_start(arc, 160);
+  lv_arclabel_set_angle_size(arc, 300);
+  lv_arclabel_set_text(arc, "Text on an arc, 0123");
+  lv_obj_set_style_text_font(arc, &font, 0);
+  lv_obj_set_style_text_color(arc, lv_color_black(), 0);
+}
+
+void add_stroke(const lv_font_t& font) {
+  lv_obj_t* const label = lv_label_create(lv_screen_active());
+  lv_obj_set_pos(label, 360, 60);
+  lv_obj_set_style_pad_all(label, 6, 0);
+  lv_obj_set_style_text_letter_space(label, 3, 0);
+  lv_label_set_text(label, "Stroke");
+  lv_obj_set_style_text_font(label, &font, 0);
+  lv_obj_set_style_text_color(label, lv_color_hex(0xffe060), 0);
+  lv_obj_set_style_text_outline_stroke_width(label, 3, 0);
+  lv_obj_set_style_text_outline_stroke_opa(label, LV_OPA_COVER, 0);
+  lv_obj_set_style_text_outline_stroke_color(label, lv_color_hex(0x802010), 0);
+}
+
+// From the left: a direct font, LVGL's own of the same file, a stroke.
+Image draw_arc() {
+  static inkcell_lv_font_t small;
+  static inkcell_lv_font_t large;
+  constexpr int kWidth = 540;
+  constexpr int kHeight = 136;
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_RGB888, 16);
+  lv_obj_set_style_bg_color(lv_screen_active(), lv_color_white(), 0);
+  lv_obj_set_style_bg_opa(lv_screen_active(), LV_OPA_COVER, 0);
+  make(small, 20);
+  inkcell_lv_font_set_direct(&small);
+  make(large, 48);
+  inkcell_lv_font_set_direct(&large);
+  inkcell_lv_font_set_outline_stroke(&large);
+  std::ifstream file(INKCELL_FONT_FILE, std::ios::binary);
+  const std::vector<char> ttf{std::istreambuf_iterator<char>(file), {}};
+  const lv_font_t* const other =
+      lv_tiny_ttf_create_data(ttf.data(), ttf.size(), 20);
+  if (other == nullptr) {
+    throw std::runtime_error("lv_tiny_ttf does not open " INKCELL_FONT_FILE);
+  }
+  add_arc(small.lv, 0);
+  add_arc(*other, 180);
+  add_stroke(large.lv);
+  return picture_of(screen, kWidth, kHeight);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -108,6 +163,7 @@ int main(int argc, char** argv) {
     const Image text = draw_text();
     write_image(folder / "text.png", text);
     write_image(folder / "text_large.png", enlarge(text, 3));
+    write_image(folder / "arc.png", draw_arc());
     write_image(folder / "digit.png", draw_digit());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "inkcell_lvgl_shots: %s\n", error.what());

@@ -2,6 +2,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include <string>
 #include <vector>
 
 #include "check.hpp"
@@ -14,6 +15,7 @@
 #include "inkcell/text.hpp"
 #include "lvgl.h"
 #include "screen.hpp"
+#include "sfnt_font.hpp"
 #include "small_strike.hpp"
 
 namespace {
@@ -39,10 +41,14 @@ Picture draw(inkcell_lv_font_t& font,
              bool is_direct,
              lv_color_format_t format,
              int32_t rows,
-             Look look) {
+             Look look,
+             inkcell_lv_cache_t* cache = nullptr) {
   Screen screen(kWidth, kHeight, format, rows);
   if (is_direct) {
     inkcell_lv_font_set_direct(&font);
+  }
+  if (cache != nullptr) {
+    inkcell_lv_font_set_cache(&font, cache);
   }
   look.font = &font.lv;
   screen.add(look);
@@ -147,6 +153,46 @@ TEST(strikes_beside_outlines_take_a_fitted_style) {
   CHECK(count_other(drawn[0], drawn[1]) > 100);
 }
 
+TEST(truetype_files_are_fonts_of_any_size) {
+  alignas(4) static uint8_t bytes[2048];
+  const size_t size = sfnt_font::build(bytes, {});
+  inkcell_lv_truetype_t file = {};
+  inkcell_lv_font_t font;
+  CHECK_EQ(inkcell_lv_font_init_truetype(&font, &file, 20 * 64),
+           LV_RESULT_INVALID);
+  CHECK_EQ(inkcell_lv_truetype_open(&file, fonts::lv_sans, size),
+           LV_RESULT_INVALID);
+  CHECK_EQ(inkcell_lv_truetype_open(&file, bytes, size), LV_RESULT_OK);
+  CHECK_EQ(inkcell_lv_font_init_truetype(&font, &file, 2000 * 64),
+           LV_RESULT_INVALID);
+  for (const int32_t px : {10, 20}) {
+    CHECK_EQ(inkcell_lv_font_init_truetype(&font, &file, px * 64),
+             LV_RESULT_OK);
+    // Of 1,000 units: A is 600 wide, and a square of 400 by 700.
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, 'A', 0), px * 6 / 10);
+    lv_font_glyph_dsc_t glyph = {};
+    Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, kHeight);
+    CHECK(lv_font_get_glyph_dsc(&font.lv, &glyph, 'A', 0));
+    CHECK_EQ(glyph.box_w, px * 4 / 10 + 2);  // a pixel on each side
+    CHECK_EQ(glyph.box_h, px * 7 / 10 + 2);
+  }
+  for (const bool is_direct : {false, true}) {
+    inkcell_lv_font_t drawn;
+    CHECK_EQ(inkcell_lv_font_init_truetype(&drawn, &file, 20 * 64),
+             LV_RESULT_OK);
+    Look look = text("A");
+    look.colour = 0x000000;
+    look.background = 0xffffff;
+    const Picture picture =
+        draw(drawn, is_direct, LV_COLOR_FORMAT_L8, kHeight, look);
+    size_t black = 0;
+    for (const uint8_t level : picture) {
+      black += level == 0;
+    }
+    CHECK_EQ(black, 8u * 14u);
+  }
+}
+
 TEST(advances_are_kerned_and_rounded) {
   inkcell::Font plain;
   CHECK_OK(inkcell::Font::open({fonts::lv_sans, sizeof fonts::lv_sans}, plain));
@@ -247,6 +293,64 @@ TEST(options_draw_alike_in_both_ways) {
   CHECK(ink(compare(font)) < ink(plain));
 }
 
+// What LVGL logged since it was emptied.
+std::string logged;
+
+void take_log(lv_log_level_t, const char* text) {
+  logged += text;
+}
+
+bool has_logged(const char* call, const char* why) {
+  const size_t at = logged.find(call);
+  const bool is_there = at != std::string::npos &&
+                        logged.find(why) != std::string::npos &&
+                        logged.find(call, at + 1) == std::string::npos;
+  logged.clear();
+  return is_there;
+}
+
+TEST(refusals_are_logged_once_with_their_reason) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, 20);
+  lv_log_register_print_cb(take_log);
+  logged.clear();
+  inkcell_lv_font_t font;
+  alignas(8) uint8_t none[64] = {};
+  CHECK_EQ(inkcell_lv_font_init(&font, none, sizeof none, 20 * 64),
+           LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_font_init:", "bad_magic"));
+  CHECK_EQ(inkcell_lv_font_init(&font, nullptr, 0, 20 * 64), LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_font_init:", ""));
+  CHECK(!make_font(font, 20));
+  CHECK(has_logged("inkcell_lv_font_init:", "they are in 1/64 px"));
+  CHECK_EQ(inkcell_lv_font_init(&font, fonts::lv_sans + 1, 4096, 20 * 64),
+           LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_font_init:", "misaligned"));
+  CHECK_EQ(inkcell_lv_font_init(&font, fonts::lv_sans, 200, 20 * 64),
+           LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_font_init:", "corrupt"));
+  CHECK_EQ(inkcell_lv_font_init_strike(&font, fonts::lv_sans,
+                                       sizeof fonts::lv_sans, 20 * 64),
+           LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_font_init_strike:", "unsupported"));
+  inkcell_lv_cache_t cache;
+  CHECK_EQ(inkcell_lv_cache_init(&cache, none, sizeof none, 1),
+           LV_RESULT_INVALID);
+  CHECK(has_logged("inkcell_lv_cache_init:", "buffer_small"));
+  CHECK(make_font(font, 20 * 64));
+  CHECK(logged.empty());
+  inkcell_lv_weight_t weight;
+  inkcell_lv_font_set_sub_pixels(&font, INKCELL_LV_SUB_PIXELS_RGB);
+  CHECK(logged.empty());
+  inkcell_lv_font_set_weight(&font, &weight, 24);
+  CHECK(has_logged("no weight", "sub-pixels"));
+  CHECK(make_font(font, 20 * 64));
+  inkcell_lv_font_set_weight(&font, &weight, 24);
+  CHECK(logged.empty());
+  inkcell_lv_font_set_sub_pixels(&font, INKCELL_LV_SUB_PIXELS_RGB);
+  CHECK(has_logged("no weight", "sub-pixels"));
+  lv_log_register_print_cb(nullptr);
+}
+
 TEST(weight_keeps_what_was_set) {
   inkcell_lv_fit_t fit;
   inkcell_lv_weight_t weight;
@@ -279,8 +383,8 @@ TEST(lent_ram_changes_no_picture) {
              0);
     inkcell_lv_cache_t cache;
     CHECK_EQ(inkcell_lv_cache_init(&cache, ram, sizeof ram, 1), LV_RESULT_OK);
-    inkcell_lv_font_set_cache(&font, &cache);
-    const Picture cached = draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, look);
+    const Picture cached =
+        draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, look, &cache);
     int32_t worst = 0;
     for (size_t i = 0; i < cached.size(); ++i) {
       const int32_t off = int32_t{cached[i]} - expected[i];

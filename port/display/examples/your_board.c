@@ -39,3 +39,6 @@ const char* read_temperature(void) {
 uint32_t read_minutes(void) {
   return 12 * 60 + 59;
 }
+uint32_t read_percent(void) {
+  return 71;
+}

@@ -34,9 +34,10 @@ void wait_ms(void* context, uint32_t ms);
 void wait_idle(void* context);
 
 /// What the examples show: a temperature as text, "21.5"; minutes since
-/// midnight.
+/// midnight; a level, 0 to 100.
 const char* read_temperature(void);
 uint32_t read_minutes(void);
+uint32_t read_percent(void);
 
 #ifdef __cplusplus
 }

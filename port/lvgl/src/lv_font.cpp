@@ -112,7 +112,9 @@ const void* get_glyph_bitmap(lv_font_glyph_dsc_t* glyph,
     return nullptr;
   }
   lv_memzero(buffer->data, static_cast<size_t>(strip.stride) * glyph->box_h);
-  state.draw(static_cast<uint16_t>(glyph->gid.index), {}, canvas);
+  Painter(canvas, state.workspace)
+      .glyph(state.font, state.style, {},
+             static_cast<uint16_t>(glyph->gid.index));
   lv_draw_buf_flush_cache(buffer, nullptr);
   return buffer;
 }
@@ -139,6 +141,44 @@ void set_metrics(const FontState& state, lv_font_t& out) noexcept {
 }
 
 }  // namespace
+
+lv_result_t result_of(const char* call, Status status) noexcept {
+  if (status == Status::ok) {
+    return LV_RESULT_OK;
+  }
+  const char* why = "other";
+  switch (status) {
+    case Status::bad_magic:
+      why = "bad_magic: no font of inkcell-fontgen";
+      break;
+    case Status::bad_version:
+      why = "bad_version: make the font anew";
+      break;
+    case Status::corrupt:
+      why = "corrupt: the font is cut short or changed";
+      break;
+    case Status::buffer_small:
+      why = "buffer_small";
+      break;
+    case Status::misaligned:
+      why = "misaligned: align the memory to 4 or a pointer";
+      break;
+    case Status::unsupported:
+      why = "unsupported: another coding, paged, or no such size";
+      break;
+    case Status::bad_argument:
+      why =
+          "bad_argument: a count is out of range, or a size: they are in 1/64 "
+          "px";
+      break;
+    default:
+      break;
+  }
+  LV_LOG_ERROR("%s: %s", call, why);
+  LV_UNUSED(call);
+  LV_UNUSED(why);
+  return LV_RESULT_INVALID;
+}
 
 const FontState* state_of(const lv_font_t* font) noexcept {
   return font != nullptr && font->get_glyph_dsc == get_glyph_dsc

@@ -17,7 +17,8 @@ static_assert(sizeof(Fit) <= sizeof(inkcell_lv_fit_t), "enlarge it");
 static_assert(sizeof(Filter) <= sizeof(inkcell_lv_weight_t), "enlarge it");
 static_assert(sizeof(GlyphCache) <= sizeof(inkcell_lv_cache_t), "enlarge it");
 
-lv_result_t set_fit(inkcell_lv_font_t& font,
+lv_result_t set_fit(const char* call,
+                    inkcell_lv_font_t& font,
                     inkcell_lv_fit_t& room,
                     const Fitter& fitter,
                     bool is_across) noexcept {
@@ -25,11 +26,23 @@ lv_result_t set_fit(inkcell_lv_font_t& font,
   FitOptions options;
   options.across = is_across;
   auto& fit = *reinterpret_cast<Fit*>(room.state);
-  if (Fit::make(state.font, state.style, options, fit) != Status::ok) {
-    return LV_RESULT_INVALID;
+  const Status status = Fit::make(state.font, state.style, options, fit);
+  if (status == Status::ok) {
+    state.style.set_fit(fitter, &fit);
   }
-  state.style.set_fit(fitter, &fit);
-  return LV_RESULT_OK;
+  return result_of(call, status);
+}
+
+// Edges further out by `by_q6`. [px]
+Filter moved(const Filter& edge, int32_t by_q6) noexcept {
+  constexpr int32_t kLimit = 4 << 6;  // with_weight() clamps to less
+  const int32_t limited =
+      by_q6 < -kLimit ? -kLimit : (by_q6 > kLimit ? kLimit : by_q6);
+  return with_weight(edge, Q6_10::from_raw(static_cast<int16_t>(limited * 16)));
+}
+
+void warn_of_weight() noexcept {
+  LV_LOG_WARN("inkcell: a font with sub-pixels has no weight");
 }
 
 // Null: the strip is not one of the layer's format.
@@ -78,6 +91,9 @@ void inkcell_lv_font_set_sub_pixels(inkcell_lv_font_t* font,
   static_assert(static_cast<int>(SubPixels::bgr_vertical) ==
                     INKCELL_LV_SUB_PIXELS_BGR_VERTICAL,
                 "the same order");
+  if (state.has_weight) {
+    port::warn_of_weight();
+  }
   state.lcd.order = static_cast<SubPixels>(order);
   state.style.set_effect(state.lcd);
   state.open_lcd = port::open_lcd;
@@ -85,32 +101,38 @@ void inkcell_lv_font_set_sub_pixels(inkcell_lv_font_t* font,
 
 lv_result_t inkcell_lv_font_fit_heights(inkcell_lv_font_t* font,
                                         inkcell_lv_fit_t* fit) {
-  return port::set_fit(*font, *fit, kFitHeights, false);
+  return port::set_fit("inkcell_lv_font_fit_heights", *font, *fit, kFitHeights,
+                       false);
 }
 
 lv_result_t inkcell_lv_font_fit_grid(inkcell_lv_font_t* font,
                                      inkcell_lv_fit_t* fit) {
-  return port::set_fit(*font, *fit, kGridFit, true);
+  return port::set_fit("inkcell_lv_font_fit_grid", *font, *fit, kGridFit, true);
 }
 
-void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
-                                inkcell_lv_weight_t* weight,
-                                int32_t weight_q6) {
-  constexpr int32_t kLimit = 4 << 6;  // with_weight() clamps to less
-  const int32_t limited =
-      weight_q6 < -kLimit ? -kLimit : (weight_q6 > kLimit ? kLimit : weight_q6);
+lv_result_t inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
+                                       inkcell_lv_weight_t* weight,
+                                       int32_t weight_q6) {
+  port::FontState& state = port::state_of(*font);
   auto& filter = *reinterpret_cast<Filter*>(weight->state);
-  filter = with_weight(kFilterText,
-                       Q6_10::from_raw(static_cast<int16_t>(limited * 16)));
-  Style& style = port::state_of(*font).style;
-  Style weighted(style.size(), filter);
-  if (style.is_fitted()) {
-    weighted.set_fit(*style.fitter(), style.fit_options());
+  filter = port::moved(kFilterText, weight_q6);
+  const Style weighted = port::with_filter(state.style, filter);
+  const Status status = state.font.check(weighted);
+  if (status == Status::ok) {
+    if (weighted.effect() != nullptr) {
+      port::warn_of_weight();
+    }
+    state.has_weight = true;
+    state.style = weighted;
   }
-  if (style.effect() != nullptr) {
-    weighted.set_effect(*style.effect());
-  }
-  style = weighted;
+  return port::result_of("inkcell_lv_font_set_weight", status);
+}
+
+void inkcell_lv_font_set_outline_stroke(inkcell_lv_font_t* font) {
+  port::state_of(*font).make_outline = [](const Filter& edge, int32_t width_px,
+                                          Filter& out) {
+    out = port::moved(edge, width_px > 4 ? 4 << 6 : width_px << 6);
+  };
 }
 
 void inkcell_lv_font_set_workspace(inkcell_lv_font_t* font,
@@ -127,13 +149,21 @@ lv_result_t inkcell_lv_cache_init(inkcell_lv_cache_t* cache,
   options.phases = 1;  // LVGL places glyphs at whole pixels
   options.styles = static_cast<uint8_t>(fonts > 255 ? 255 : fonts);
   auto& out = *reinterpret_cast<GlyphCache*>(cache->state);
-  return GlyphCache::make({static_cast<uint8_t*>(ram), bytes}, options, out) ==
-                 Status::ok
-             ? LV_RESULT_OK
-             : LV_RESULT_INVALID;
+  return port::result_of(
+      "inkcell_lv_cache_init",
+      GlyphCache::make({static_cast<uint8_t*>(ram), bytes}, options, out));
 }
 
 void inkcell_lv_font_set_cache(inkcell_lv_font_t* font,
                                inkcell_lv_cache_t* cache) {
+  inkcell_lv_font_set_direct(font);
   port::state_of(*font).cache = reinterpret_cast<GlyphCache*>(cache->state);
+}
+
+void inkcell_lv_cache_stats(const inkcell_lv_cache_t* cache,
+                            inkcell_lv_cache_stats_t* out) {
+  const GlyphCacheStats stats =
+      reinterpret_cast<const GlyphCache*>(cache->state)->stats();
+  *out = {stats.hits,   stats.misses, stats.bypasses, stats.evictions,
+          stats.glyphs, stats.bytes,  stats.capacity};
 }

@@ -9,10 +9,11 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
                                  int32_t size_q6) {
   using namespace inkcell;
   port::FontState state;
-  if (!port::open_font(rom, rom_bytes, kOutlineCoding, size_q6, state.font)) {
-    return LV_RESULT_INVALID;
+  const Status status =
+      port::open_font(rom, rom_bytes, kOutlineCoding, size_q6, state.font);
+  if (status == Status::ok) {
+    state.style = Style(Q26_6::from_raw(size_q6), kFilterText);
+    port::begin_font(state, *font);
   }
-  state.style = Style(Q26_6::from_raw(size_q6), kFilterText);
-  port::begin_font(state, *font);
-  return LV_RESULT_OK;
+  return port::result_of("inkcell_lv_font_init", status);
 }

@@ -10,12 +10,12 @@ lv_result_t inkcell_lv_font_init_outline_strike(inkcell_lv_font_t* font,
                                                 bool across) {
   using namespace inkcell;
   port::FontState state;
-  if (!port::open_font(rom, rom_bytes, kOutlineStrikeCoding, size_q6,
-                       state.font)) {
-    return LV_RESULT_INVALID;
+  const Status status = port::open_font(rom, rom_bytes, kOutlineStrikeCoding,
+                                        size_q6, state.font);
+  if (status == Status::ok) {
+    const Q26_6 size = Q26_6::from_raw(size_q6);
+    state.style = across ? strike_style(size) : strike_height_style(size);
+    port::begin_font(state, *font);
   }
-  const Q26_6 size = Q26_6::from_raw(size_q6);
-  state.style = across ? strike_style(size) : strike_height_style(size);
-  port::begin_font(state, *font);
-  return LV_RESULT_OK;
+  return port::result_of("inkcell_lv_font_init_outline_strike", status);
 }

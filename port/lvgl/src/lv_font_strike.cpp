@@ -9,13 +9,14 @@ lv_result_t inkcell_lv_font_init_strike(inkcell_lv_font_t* font,
                                         int32_t size_q6) {
   using namespace inkcell;
   port::FontState state;
-  if (!port::open_font(rom, rom_bytes, kStrikeCoding, size_q6, state.font)) {
-    return LV_RESULT_INVALID;
+  Status status =
+      port::open_font(rom, rom_bytes, kStrikeCoding, size_q6, state.font);
+  if (status == Status::ok) {
+    state.style = Style(Q26_6::from_raw(size_q6));
+    status = state.font.check(state.style);
   }
-  state.style = Style(Q26_6::from_raw(size_q6));
-  if (state.font.check(state.style) != Status::ok) {
-    return LV_RESULT_INVALID;
+  if (status == Status::ok) {
+    port::begin_font(state, *font);
   }
-  port::begin_font(state, *font);
-  return LV_RESULT_OK;
+  return port::result_of("inkcell_lv_font_init_strike", status);
 }

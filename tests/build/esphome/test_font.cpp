@@ -15,10 +15,10 @@ class Screen : public esphome::display::Display {
   void draw_pixel_at(int x, int y, esphome::Color color) override {
     shown[y * 160 + x] = color.g;
   }
+  esphome::display::DisplayType get_display_type() override { return type; }
+  esphome::display::DisplayType type =
+      esphome::display::DisplayType::DISPLAY_TYPE_COLOR;
 #ifdef REAL_ESPHOME
-  esphome::display::DisplayType get_display_type() override {
-    return esphome::display::DisplayType::DISPLAY_TYPE_COLOR;
-  }
   void update() override {}
   int get_height_internal() override {
     return 60;
@@ -29,12 +29,18 @@ class Screen : public esphome::display::Display {
 #endif
 };
 
-static int draw(bool two_colours, const char* text, const char* after) {
+static int draw(bool two_colours,
+                bool is_binary,
+                const char* text,
+                const char* after) {
   static uint8_t wanted[160 * 60];
   for (int i = 0; i < 160 * 60; ++i) {
     shown[i] = wanted[i] = 0;
   }
   Screen screen;
+  if (is_binary) {
+    screen.type = esphome::display::DisplayType::DISPLAY_TYPE_BINARY;
+  }
   esphome::inkcell_font::InkcellFont font(fonts::sans, sizeof fonts::sans,
                                           22 * 64, two_colours);
   int width, x_offset, baseline, height;
@@ -63,14 +69,16 @@ static int draw(bool two_colours, const char* text, const char* after) {
   int others = 0;
   int inked = 0;
   for (int i = 0; i < 160 * 60; ++i) {
-    const int value = two_colours ? (wanted[i] >= 128 ? 255 : 0) : wanted[i];
+    const int value =
+        two_colours || is_binary ? (wanted[i] >= 128 ? 255 : 0) : wanted[i];
     others += shown[i] != value;
     inked += value != 0;
   }
   const int advance =
       (inkcell::Painter().measure(same, style, text).advance.raw + 63) / 64;
-  printf("ESPHome, %s: %d pixels with ink, %d differ\n",
-         two_colours ? "two colours" : "grey", inked, others);
+  printf("ESPHome, %s%s: %d pixels with ink, %d differ\n",
+         two_colours ? "two colours" : "grey", is_binary ? ", binary" : "",
+         inked, others);
   return others != 0 || inked < 200 || advance != width || height < 20;
 }
 
@@ -78,6 +86,8 @@ int main() {
   esphome::inkcell_font::InkcellFont none(nullptr, 0, 1280, false);
   int width = 1, x_offset, baseline, height;
   none.measure("A", &width, &x_offset, &baseline, &height);
-  return draw(false, "21.5 \u00B0C", "Kg") | draw(true, "21.5 \u00B0C", "Kg") |
-         (width != 0);
+  return draw(false, false, "21.5 \u00B0C", "Kg") |
+         draw(true, false, "21.5 \u00B0C", "Kg") |
+         draw(true, true, "21.5 \u00B0C", "Kg") |
+         draw(false, true, "21.5 \u00B0C", "Kg") | (width != 0);
 }

@@ -1,7 +1,7 @@
 # Programs that run the examples of port/display/examples against models of their
 # displays: example_<name>, on the host and on a board.
 # <name>_c is <name>.c, which must show what <name>.cpp shows.
-set(INKCELL_EXAMPLES st7789 ssd1306 ssd1681 clock
+set(INKCELL_EXAMPLES st7789 ssd1306 ssd1681 clock gauge battery
   st7789_c ssd1306_c ssd1681_c clock_c)
 set(INKCELL_EXAMPLE_TESTS ${CMAKE_CURRENT_LIST_DIR})
 

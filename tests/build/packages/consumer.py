@@ -73,9 +73,11 @@ FONT_OPTIONS = ["--chars=0x20-0x7E"]
 # Parts that a project compiles if it asks for them, and their folders.
 LIBRARIES = {"cache": "core/cache", "field": "core/field",
              "layout": "core/layout", "motion": "core/motion",
+             "figures": "core/figures",
+             "layers": "core/layers",
              "shaping": "core/shaping", "simulation": "core/simulation",
              "stored": "core/stored", "strike": "core/strike",
-             "truetype": "core/truetype", "c": "port/c"}
+             "truetype": "core/truetype", "lvgl": "port/lvgl", "c": "port/c"}
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 

@@ -47,8 +47,10 @@ def build(work, _, fontgen):
     size = size_of(folder / "app.elf")
 
     (folder / "of_c.mk").write_text(OF_C)
-    of_c = [*make, "-f", "of_c.mk",
-            "INKCELL_LIBRARIES=c shaping simulation stored strike truetype"]
+    (folder / "lvgl").mkdir()
+    (folder / "lvgl/lvgl.h").write_text("")
+    of_c = [*make, "-f", "of_c.mk", "LVGL_PATH=lvgl",
+            "INKCELL_LIBRARIES=c layers lvgl shaping simulation stored strike truetype"]
     listed = call(*of_c).split()
     check_libraries("Make", listed, LIBRARIES)
     fonts = folder / "build/inkcell_fonts/fonts"
@@ -63,6 +65,9 @@ def build(work, _, fontgen):
     said = run([*of_c, "INKCELL_BUILD=build/other", "INKCELL_PYTHON=no-python"])
     if said.returncode == 0 or "name it by INKCELL_PYTHON" not in said.stdout:
         stop(f"without Python: {said.stdout}")
+    said = run([*of_c, "LVGL_PATH=nowhere"])
+    if said.returncode == 0 or "'nowhere', where LVGL is not" not in said.stdout:
+        stop(f"without LVGL: {said.stdout}")
     said = run([*make, "INKCELL_LIBRARIES=layuot"])
     if said.returncode == 0 or "there is no layuot" not in said.stdout:
         stop(f"a library that is not there: {said.stdout}")

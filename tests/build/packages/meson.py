@@ -15,6 +15,9 @@ font = custom_target(input: '{font}', output: 'dejavu_sans.hpp',
             '--quiet', '--out=@OUTPUT@'])
 executable('app', 'main.cpp', 'readme.cpp', font, dependencies: inkcell)
 """
+LVGL = """project('lvgl')
+meson.override_dependency('lvgl', declare_dependency())
+"""
 CROSS = """[binaries]
 cpp = 'arm-none-eabi-g++'
 ar = 'arm-none-eabi-ar'
@@ -44,6 +47,8 @@ def build(work, _, fontgen):
                                                  "<dejavu_sans.hpp>"))
     (folder / "subprojects").mkdir()
     (folder / "subprojects/inkcell").symlink_to(ROOT)
+    (folder / "subprojects/lvgl").mkdir()
+    (folder / "subprojects/lvgl/meson.build").write_text(LVGL)
     (folder / "meson.build").write_text(PROJECT.format(
         fontgen=fontgen, font=FONT,
         options=", ".join(f"'{word}'" for word in FONT_OPTIONS)))
@@ -55,8 +60,11 @@ def build(work, _, fontgen):
          folder / "build", folder)
     call("meson", "compile", "-C", folder / "build")
     check_libraries("Meson", sources_of(folder / "build"), ["layout"])
+    project = folder / "meson.build"
+    project.write_text(project.read_text().replace(
+        "inkcell = subproject(", "subproject('lvgl')\ninkcell = subproject("))
     call("meson", "setup", "--cross-file", folder / "cross.ini",
-         "-Dinkcell:libraries=c,shaping,simulation,stored,strike,truetype",
+         "-Dinkcell:libraries=c,layers,lvgl,shaping,simulation,stored,strike,truetype",
          folder / "all", folder)
     check_libraries("Meson", sources_of(folder / "all"), LIBRARIES)
     return {"meson": size_of(folder / "build/app")}

@@ -30,6 +30,7 @@ def run_script(script, folder, fontgen):
     folder.mkdir()
     environment = Environment(folder, {
         "custom_inkcell_fontgen": str(fontgen),
+        "custom_inkcell_lvgl": "yes",
         "custom_inkcell_fonts": "\n" + " ".join(
             [f"--font={FONT}", "--name=dejavu_sans", *FONT_OPTIONS])})
     made = folder / "build/inkcell_fonts"

@@ -6,6 +6,7 @@
 TFT_eSPI tft;
 InkcellPrint text(tft);
 float temperature = 21.5f;
+int end = 0;  // of the value that is shown
 
 void setup() {
   tft.init();
@@ -21,6 +22,12 @@ void loop() {
   text.setCursor(16, 150);
   text.print(temperature, 1);  // its paper replaces the old value
   text.print(" \u00B0C ");
+  const int x = text.getCursorX();
+  if (x < end) {  // which was longer
+    tft.fillRect(x, 150 - text.fontAscent(), end - x, text.fontHeight(),
+                 TFT_NAVY);
+  }
+  end = x;
   temperature -= 0.4f;
   delay(1000);
 }

@@ -89,7 +89,9 @@ void InkcellFont::print(int x,
   sink.display = display;
   sink.color = color;
   sink.background = background;
-  sink.two_colours = two_colours_;
+  sink.two_colours =
+      two_colours_ ||
+      display->get_display_type() == display::DisplayType::DISPLAY_TYPE_BINARY;
   ::inkcell::Painter(sink).text(font_, style_, {x, y + ascent()}, text);
 }
 

@@ -11,8 +11,9 @@ namespace inkcell_font {
 
 class InkcellFont : public display::BaseFont {
  public:
-  /// `rom` must outlive it. Px to the em in 1/64 px. With two colours pixels
-  /// are either the colour or untouched.
+  /// `rom` must outlive it. Px to the em in 1/64 px. With two colours text is
+  /// fitted to their grid, and pixels are either the colour or untouched, as on
+  /// any display of two colours.
   InkcellFont(const uint8_t* rom,
               size_t rom_size,
               int32_t size_q6,

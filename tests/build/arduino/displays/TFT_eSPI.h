@@ -20,6 +20,11 @@ class TFT_eSPI : public Print {
       pixel = static_cast<uint16_t>(colour);
     }
   }
+  void fillRect(int32_t x, int32_t y, int32_t w, int32_t h, uint32_t colour) {
+    for (int32_t i = 0; i < w * h; ++i) {
+      memory[(y + i / w) * 240 + x + i % w] = static_cast<uint16_t>(colour);
+    }
+  }
   void pushImage(int32_t x, int32_t y, int32_t w, int32_t h, uint16_t* data) {
     const uint8_t* bytes = reinterpret_cast<const uint8_t*>(data);
     for (int32_t i = 0; i < w * h; ++i) {

@@ -30,6 +30,7 @@ enum {
 typedef void* mp_obj_t;
 typedef const void* mp_rom_obj_t;
 typedef intptr_t mp_int_t;
+typedef float mp_float_t;
 typedef uint16_t qstr;
 typedef struct mp_obj_type_t mp_obj_type_t;
 typedef struct mp_map_t mp_map_t;
@@ -77,14 +78,14 @@ struct mp_obj_type_t {
   const struct {                                            \
     mp_obj_t (*call)(size_t, const mp_obj_t*, mp_map_t*);   \
   } object = {function}
-#define MP_DEFINE_CONST_FUN_OBJ_VAR_BETWEEN(object, least, most, function) \
-  const struct {                                                           \
-    mp_obj_t (*call)(size_t, const mp_obj_t*);                             \
-  } object = {function}
+#define MP_DEFINE_CONST_FUN_OBJ_2(object, function) \
+  const struct { mp_obj_t (*call)(mp_obj_t, mp_obj_t); } object = {function}
 #define MP_DEFINE_CONST_DICT(dict, elements) \
   const mp_obj_dict_t dict = {{NULL}, elements}
 #define MP_DEFINE_CONST_OBJ_TYPE(type, name, flags, a, make, b, locals) \
   const mp_obj_type_t type = {name, make, locals}
+#define MP_DEFINE_STR_OBJ(object, text) \
+  const struct { const char* data; } object = {text}
 #define MP_REGISTER_MODULE(name, module) \
   extern const mp_obj_module_t* registered
 
@@ -93,11 +94,21 @@ extern const mp_obj_type_t mp_type_ValueError;
 extern const mp_obj_t mp_const_none;
 mp_obj_t mp_obj_new_int(mp_int_t value);
 mp_int_t mp_obj_get_int(mp_obj_t object);
-double mp_obj_get_float(mp_obj_t object);
+mp_float_t mp_obj_get_float(mp_obj_t object);
 bool mp_obj_is_float(mp_obj_t object);
-bool mp_obj_is_true(mp_obj_t object);
+mp_obj_t mp_obj_new_list(size_t count, mp_obj_t* items);
+mp_obj_t mp_obj_list_append(mp_obj_t list, mp_obj_t item);
 const char* mp_obj_str_get_data(mp_obj_t object, size_t* count);
 void mp_get_buffer_raise(mp_obj_t object, mp_buffer_info_t* out, int flags);
 void* mp_obj_malloc_helper(size_t size, const mp_obj_type_t* type);
 #define mp_obj_malloc(type, kind) \
   ((type*)mp_obj_malloc_helper(sizeof(type), kind))
+void* m_malloc(size_t size);
+#define m_new(type, count) ((type*)m_malloc(sizeof(type) * (count)))
+typedef struct vstr_t {
+  char* buf;
+} vstr_t;
+void vstr_init(vstr_t* string, size_t capacity);
+void vstr_add_strn(vstr_t* string, const char* text, size_t count);
+void vstr_add_byte(vstr_t* string, uint8_t byte);
+mp_obj_t mp_obj_new_str_from_vstr(vstr_t* string);

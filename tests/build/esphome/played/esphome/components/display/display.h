@@ -15,8 +15,15 @@ struct Color {
 
 namespace display {
 
+enum class DisplayType {
+  DISPLAY_TYPE_BINARY = 1,
+  DISPLAY_TYPE_GRAYSCALE = 2,
+  DISPLAY_TYPE_COLOR = 3,
+};
+
 class Display {
  public:
+  virtual DisplayType get_display_type() = 0;
   virtual int get_width() = 0;
   virtual int get_height() = 0;
   virtual void draw_pixel_at(int x, int y, Color color) = 0;

@@ -1,0 +1,4 @@
+// Likewise.
+#pragma once
+
+#include "py/obj.h"
