@@ -212,6 +212,8 @@ std::vector<Action> make_list() {
       {"Save", "ctrl+s", [](Editor& e) { e.save(); }},
       {"Undo", "ctrl+z", [](Editor& e) { e.undo(); }},
       {"Redo", "ctrl+y ctrl+shift+z", [](Editor& e) { e.redo(); }},
+      {"Undo in this glyph", "u", [](Editor& e) { e.step_glyph(false); }},
+      {"Redo in this glyph", "shift+u", [](Editor& e) { e.step_glyph(true); }},
       {"Cut", "ctrl+x", cut},
       {"Copy", "ctrl+c", [](Editor& e) { copy(e); }},
       {"Paste", "ctrl+v",
@@ -247,6 +249,15 @@ std::vector<Action> make_list() {
       transformed("Reflect up and down", "", {{"reflect", "y"}}),
       transformed("Turn left", "", {{"turn", 90}}),
       transformed("Turn right", "", {{"turn", -90}}),
+      {"Space letters", "",
+       [](Editor& e) {
+         Value command = {{"do", "space_letters"}};
+         if (e.master() != 0) {
+           command["layer"] = e.project().layers[e.master()].name;
+         }
+         e.run(std::move(command));
+         e.message = {"Letters are as near to each other as n and o, H and O"};
+       }},
       {"Convert to cubics", "",
        [](Editor& e) {
          e.run({{"do", "to_cubics"}});
@@ -278,6 +289,7 @@ std::vector<Action> make_list() {
        [](Editor& e) { e.dark_theme = !e.dark_theme; }},
       {"Other layers", "shift+l",
        [](Editor& e) { e.shows_layers = !e.shows_layers; }},
+      {"Black", "", [](Editor& e) { e.shows_black = !e.shows_black; }},
       {"Cells", "c", [](Editor& e) { e.preview.cells = !e.preview.cells; }},
   };
   for (const auto& [name, to] :

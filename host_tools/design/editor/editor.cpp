@@ -11,6 +11,7 @@
 #include "editor/sample.hpp"
 #include "editor/spacing.hpp"
 #include "editor/strokes.hpp"
+#include "export/designspace.hpp"
 #include "export/rom.hpp"
 #include "export/ttf.hpp"
 #include "import/font_import.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPreviewTextKey = "org.inkcell.previewText";
 constexpr double kLeastScale = 0.02;  // [px per font unit]
 constexpr double kMostScale = 64;
 constexpr double kFitPart = 0.86;  // the em's part of the canvas
@@ -44,9 +46,11 @@ bool is_for_all_masters(const Value& command) {
 bool needs_glyph(const Value& command) {
   const std::string name = command.value("do", "");
   return name != "batch" && !command.contains("glyph") &&
+         !command.contains("glyphs") &&
          name.find("info") == std::string::npos &&
          name.find("kerning") == std::string::npos &&
-         name.find("group") == std::string::npos && name != "set_lib";
+         name.find("group") == std::string::npos && name != "set_lib" &&
+         name != "set_axes" && name != "space_letters";
 }
 
 // The glyphs that a change makes outlines.
@@ -109,9 +113,7 @@ std::string import_project(const fs::path& font,
 
 }  // namespace
 
-Value in_master(const Editor& editor,
-                const std::string& glyph,
-                Value command) {
+Value in_master(const Editor& editor, const std::string& glyph, Value command) {
   command["glyph"] = glyph;
   const size_t master = editor.master(glyph);
   if (master != 0) {
@@ -188,16 +190,7 @@ void Editor::begin(const fs::path& folder) {
                                                   : " changes that were") +
                                   " not saved"};
   const std::vector<std::string> order = glyph_order(project());
-  if (line_of_text(project(), preview.text).empty()) {
-    // A text of characters that the font has, or boxes would be shown.
-    preview.text.clear();
-    for (const std::string& name : order) {
-      const std::vector<char32_t>& unicodes = project().glyph(name)->unicodes;
-      if (!unicodes.empty() && preview.text.size() < 10) {
-        preview.text += gen::to_utf8(unicodes.front());
-      }
-    }
-  }
+  preview.text = usual_text();
   for (const std::string& name : order) {
     if (!project().glyph(name)->contours.empty() && name != ".notdef") {
       show(name);
@@ -215,10 +208,10 @@ void Editor::create(const fs::path& folder,
   check_new(folder);
   const double em = info.value("unitsPerEm", 0.0);
   if (!(em >= 16 && em <= 16384 && em == std::floor(em))) {
-    throw Error("an em has 16 to 16384 whole units");
+    throw Error("Units an em are 16 to 16384, without a fraction");
   }
   if (!(info.value("ascender", 0.0) > info.value("descender", 0.0))) {
-    throw Error("the ascender must be above the descender, which is below 0");
+    throw Error("Ascender must be above the descender, which is below 0");
   }
   Project project;
   FontData font;
@@ -273,7 +266,39 @@ void Editor::revert() {
   message = {folder.filename().string() + " is as it was saved last"};
 }
 
+// The project's own, or what the font has of the usual one, or else some that
+// it has, of drawn glyphs first: boxes would be shown.
+std::string Editor::usual_text() const {
+  const Value own = project().font->lib.value(kPreviewTextKey, Value());
+  if (own.is_string()) {
+    return own.get<std::string>();
+  }
+  constexpr size_t kEnough = 4;
+  std::string text;
+  for (const PlacedGlyph& place :
+       line_of_text(project(), PreviewSettings().text)) {
+    text += gen::to_utf8(place.glyph->unicodes.front());
+  }
+  if (text.size() >= kEnough) {
+    return text;
+  }
+  text.clear();
+  for (const bool is_undrawn_too : {false, true}) {
+    for (const std::string& name : glyph_order(project())) {
+      const GlyphPointer glyph = project().glyph(name);
+      if (!glyph->unicodes.empty() && glyph->unicodes.front() > U' ' &&
+          is_undrawn(*glyph) == is_undrawn_too && text.size() < 10) {
+        text += gen::to_utf8(glyph->unicodes.front());
+      }
+    }
+  }
+  return text;
+}
+
 void Editor::save() {
+  if (preview.text != usual_text()) {
+    run({{"do", "set_lib"}, {"key", kPreviewTextKey}, {"value", preview.text}});
+  }
   session_->save();
   message = {"Saved " + session_->files().folder.filename().string()};
 }
@@ -286,11 +311,14 @@ void Editor::export_to(const fs::path& file) {
     write_ufo(project(), file, files);
   } else if (ending == ".ttf") {
     write_bytes(file, write_ttf(project(), &report));
+  } else if (ending == ".designspace") {
+    write_designspace(project(), file);
   } else if (ending == ".bin") {
     write_bytes(file, make_rom(project(), {}, &report).bytes);
   } else {
-    throw Error(file.string() +
-                ": its ending says what to write: .ttf, .bin or .ufo");
+    throw Error(
+        file.string() +
+        ": its ending says what to write: .ttf, .bin, .ufo or .designspace");
   }
   message = {"Wrote " + file.string() +
              (report.glyphs == 0 ? "" : ": " + report.text())};
@@ -437,20 +465,6 @@ void Editor::make_outline() {
   tool_->interrupt(*this);
   session_->run(Value{{"do", "batch"}, {"commands", commands}});
   follow_change();
-}
-
-bool Editor::undo() {
-  tool_->cancel(*this);
-  const bool done = session_->undo();
-  follow_change();
-  return done;
-}
-
-bool Editor::redo() {
-  tool_->cancel(*this);
-  const bool done = session_->redo();
-  follow_change();
-  return done;
 }
 
 // After a command, undo or redo.

@@ -136,8 +136,9 @@ class Editor {
   size_t master() const { return master(glyph_); }
   void choose_master(size_t layer);
   /// Saves the project with another master, a layer with the glyphs of the
-  /// default one, which is edited from now on. Throws Error.
-  void add_master(const std::string& name);
+  /// default one, which is edited from now on; with stems that are wider by
+  /// `bolder` (change_weight). [font units] Throws Error.
+  void add_master(const std::string& name, double bolder = 0);
   /// The glyph at `part_between`; nothing at 0, and if the masters do not
   /// correspond.
   std::optional<Glyph> glyph_between() const;
@@ -152,6 +153,10 @@ class Editor {
   void commit();
   bool undo();
   bool redo();
+  /// Takes back the last change of the shown glyph alone, or such an undo.
+  void step_glyph(bool is_redo);
+  /// Undoes or redoes until `done` steps of the history are done.
+  void go_to(size_t done);
   /// Drops the strokes or the tree of the glyph: its points can be moved. Then
   /// runs the pending command, in the same step.
   void make_outline();
@@ -180,7 +185,8 @@ class Editor {
   NibSettings nib;
   PreviewSettings preview;
   bool dark_theme = false;
-  double part_between = 0;  // the way to the other master, 0..1, of previews
+  double part_between = 0;   // the way to the other master, 0..1, of previews
+  bool shows_black = false;  // the glyph alone, as Space does
   bool shows_layers = true;  // other layers, behind the default one
   Message message;
 
@@ -193,13 +199,14 @@ class Editor {
   };
 
   void begin(const std::filesystem::path& folder);
+  std::string usual_text() const;
   void ask_before_loss(const Value& command, const Change& change);
   void follow_change();
   void drop_lost_selection();
 
   std::unique_ptr<Session> session_;
   std::string glyph_;
-  size_t layer_ = 0;  // the chosen master
+  size_t layer_ = 0;         // the chosen master
   bool had_source_ = false;  // strokes or a tree, before the last change
   std::optional<Proposal> proposal_;
   ToolKind tool_kind_ = ToolKind::select;

@@ -6,6 +6,7 @@
 #include "editor/edits.hpp"
 #include "model/error.hpp"
 #include "model/glyph_names.hpp"
+#include "rom_file.hpp"
 #include "source/char_set.hpp"
 
 namespace inkcell::design::editor {
@@ -15,15 +16,23 @@ namespace {
 constexpr double kAdvance = 0.6;
 constexpr double kSpace = 0.25;
 
+// Ranges, such as A-Z,U+B0, or else the characters of the text itself.
 gen::CharSet characters_of(const std::string& text) {
   gen::CharSet characters;
-  gen::add_ranges(text, characters);
+  try {
+    gen::add_ranges(text, characters);
+  } catch (const std::exception&) {
+    const std::vector<char32_t> all = tools::from_utf8(text);
+    characters = {all.begin(), all.end()};
+  }
   return characters;
 }
 
 bool is_name(const std::string& text) {
-  return text.size() > 1 && (text[0] == '_' || character_of_name(text) ||
-                             text.find('.') != std::string::npos);
+  const size_t stop = text.find('.');
+  return text.size() > 1 &&
+         (text[0] == '_' || character_of_name(text) ||
+          (stop != std::string::npos && stop + 1 < text.size()));
 }
 
 }  // namespace
@@ -55,7 +64,8 @@ Value add_glyphs(const Project& project, const std::string& text) {
   }
   if (commands.empty()) {
     throw Error("'" + text +
-                "': the font has these glyphs; write characters (A-Z,U+B0) or "
+                "': the font has these glyphs; write characters (Hano2!), "
+                "ranges (A-Z,U+B0) or "
                 "a name (exclam, _stem)");
   }
   commands.push_back(

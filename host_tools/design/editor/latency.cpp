@@ -136,6 +136,10 @@ Latencies measure_latencies(Editor& editor, int runs) {
     const ShapeField field(shape(), target);
     draw_exact_preview(first, editor.preview_job());
   });
+  result.weight = time_of(runs, [&](int i) {
+    editor.propose({{"do", "change_weight"}, {"by", 1 + i % 40}});
+    draw_exact_preview(first, editor.preview_job());
+  });
   const GlyphPointer glyph = editor.stored();
   if (has_strokes(*glyph)) {
     measure_knots(editor, runs, first, result);

@@ -17,6 +17,7 @@ struct Latencies {
   Latency drag;    // a moved point: change, exact pictures, distances
   Latency device;  // a change: all that the device draws, with its figures
   Latency stroke;  // the end of a stroke: outline, field, preview
+  Latency weight;  // a step of the weight's slider: change, exact pictures
   // Of a glyph of strokes: a knot that moves, a nib that turns and widens; each
   // the change and exact pictures.
   std::optional<Latency> knot;

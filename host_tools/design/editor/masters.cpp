@@ -7,58 +7,6 @@
 #include "ufo/ufo.hpp"
 
 namespace inkcell::design::editor {
-namespace {
-
-std::string kind_of(const GlyphPoint& point) {
-  switch (point.type) {
-    case PointType::offcurve:
-      return "a handle";
-    case PointType::line:
-      return "the end of a line";
-    case PointType::move:
-      return "an open end";
-    default:
-      return "the end of a curve";
-  }
-}
-
-// Its name if it has one, or its numbers from 1 on.
-std::string name_of(const PointContour& contour, size_t c, size_t p) {
-  const std::string& name = contour.points[p].name;
-  return "point " + (name.empty() ? std::to_string(p + 1) : "'" + name + "'") +
-         " of contour " + std::to_string(c + 1);
-}
-
-std::string count_text(size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-void compare(const PointContour& a,
-             const PointContour& b,
-             size_t c,
-             const std::string& other,
-             std::vector<std::string>& found) {
-  const size_t count = std::min(a.points.size(), b.points.size());
-  for (size_t p = 0; p < count; ++p) {
-    if (a.points[p].type != b.points[p].type) {
-      found.push_back(name_of(a, c, p) + ": " + kind_of(a.points[p]) +
-                      " here, " + kind_of(b.points[p]) + " in " + other);
-    }
-  }
-  if (a.points.size() != b.points.size()) {
-    found.push_back("contour " + std::to_string(c + 1) + ": " +
-                    count_text(a.points.size(), "point") + " here, " +
-                    std::to_string(b.points.size()) + " in " + other);
-  }
-}
-
-}  // namespace
-
-std::string master_name(const Project& project, size_t layer) {
-  const std::string& name = project.layers[layer].name;
-  return name == "public.default" ? "Default" : name;
-}
-
 std::optional<size_t> other_master(const Editor& editor) {
   if (editor.master() != 0) {
     return 0;
@@ -69,21 +17,6 @@ std::optional<size_t> other_master(const Editor& editor) {
     }
   }
   return std::nullopt;
-}
-
-std::vector<std::string> mismatches(const Glyph& a,
-                                    const Glyph& b,
-                                    const std::string& other) {
-  std::vector<std::string> found;
-  if (a.contours.size() != b.contours.size()) {
-    found.push_back(count_text(a.contours.size(), "contour") + " here, " +
-                    std::to_string(b.contours.size()) + " in " + other);
-  }
-  const size_t count = std::min(a.contours.size(), b.contours.size());
-  for (size_t c = 0; c < count; ++c) {
-    compare(a.contours[c], b.contours[c], c, other, found);
-  }
-  return found;
 }
 
 Glyph between(const Glyph& a, const Glyph& b, double part) {
@@ -117,7 +50,7 @@ void Editor::choose_master(size_t layer) {
   select_nothing();
 }
 
-void Editor::add_master(const std::string& name) {
+void Editor::add_master(const std::string& name, double bolder) {
   const std::vector<Layer>& layers = project().layers;
   const bool is_known =
       std::any_of(layers.begin(), layers.end(),
@@ -142,6 +75,14 @@ void Editor::add_master(const std::string& name) {
   choose_master(project().layers.size() - 1);
   message = {"Saved with the master " + name + ", whose glyphs are those of " +
              master_name(project(), 0) + " until you change them"};
+  if (bolder != 0) {
+    run({{"do", "change_weight"},
+         {"glyphs", "all"},
+         {"layer", name},
+         {"by", bolder}});
+    message = {"The master " + name + " has stems that are wider by " +
+               std::to_string(std::lround(bolder)) + " units"};
+  }
 }
 
 std::optional<Glyph> Editor::glyph_between() const {

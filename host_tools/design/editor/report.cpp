@@ -42,6 +42,15 @@ Value mismatches_value(const Editor& editor) {
                : Value();
 }
 
+// The titles of what undo takes back, the last one at the end.
+Value history_value(const Session& session) {
+  Value titles = Value::array();
+  for (size_t i = 0; i < session.done(); ++i) {
+    titles.push_back(session.history()[i].title);
+  }
+  return titles;
+}
+
 Value latency_value(const Latency& latency) {
   return {{"median_ms", latency.median},
           {"worst_ms", latency.worst},
@@ -75,13 +84,15 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"cells", preview.cells.size()},
           {"master", master_name(editor.project(), editor.master())},
           {"mismatches", mismatches_value(editor)},
+          {"history", history_value(editor.session())},
           {"message", editor.message.text}};
 }
 
 Value report_of(const Latencies& latencies) {
   Value report = {{"drag", latency_value(latencies.drag)},
                   {"device", latency_value(latencies.device)},
-                  {"stroke", latency_value(latencies.stroke)}};
+                  {"stroke", latency_value(latencies.stroke)},
+                  {"weight", latency_value(latencies.weight)}};
   for (const auto& [name, latency] :
        {std::pair("knot", latencies.knot), std::pair("nib", latencies.nib),
         std::pair("to_outline", latencies.to_outline),

@@ -141,6 +141,9 @@ class SelectTool : public Tool {
     editor.component = component;
     if (const auto edge = nearest_on_curve(own, pointer.at, pointer.reach)) {
       press_edge(editor, pointer, *edge);
+    } else if (component && pointer.twice) {
+      state_ = State::idle;
+      editor.show(editor.glyph()->components[*component].base);
     } else if (component) {
       editor.select_nothing();
       editor.component = component;
@@ -180,14 +183,12 @@ class SelectTool : public Tool {
       Matrix move;
       move.dx = dx;
       move.dy = dy;
-      editor.propose(map_part(*editor.stored(),
-                              *editor.part, move));
+      editor.propose(map_part(*editor.stored(), *editor.part, move));
     } else if (state_ == State::component) {
       const bool moves = dx != 0 || dy != 0;
       editor.propose(moves ? move_component(editor, dx, dy) : Value());
     } else if (state_ == State::guide) {
-      const Guideline& line =
-          editor.stored()->guidelines[*editor.guide];
+      const Guideline& line = editor.stored()->guidelines[*editor.guide];
       label_ = {pointer.at,
                 place_text(line.x.value_or(0) + dx, line.y.value_or(0) + dy)};
       editor.propose(move_guide(editor, dx, dy));
@@ -307,9 +308,8 @@ class SelectTool : public Tool {
     if (editor.selection.count(*grabbed_) == 0) {
       return std::nullopt;
     }
-    const GlyphPoint& point = editor.stored()
-                                  ->contours[grabbed_->contour]
-                                  .points[grabbed_->point];
+    const GlyphPoint& point =
+        editor.stored()->contours[grabbed_->contour].points[grabbed_->point];
     return Point{point.x, point.y};
   }
 

@@ -1,4 +1,6 @@
 // Runs records; undo and redo.
+#include <algorithm>
+
 #include "journal/session.hpp"
 #include "model/base64.hpp"
 #include "model/commands.hpp"
@@ -36,6 +38,24 @@ Value font_value(const FontData& font) {
 
 }  // namespace
 
+std::string title_of(const Value& command, const Change& change) {
+  const Value* named = &command;
+  while (named->contains("commands") && !named->at("commands").empty()) {
+    named = &named->at("commands").front();
+  }
+  std::string title = named->value("do", "");
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') {
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  }
+  if (change.glyphs.size() == 1) {
+    title += " of " + change.glyphs.front().name;
+  } else if (change.glyphs.size() > 1) {
+    title += " of " + std::to_string(change.glyphs.size()) + " glyphs";
+  }
+  return title;
+}
+
 Value restore_record(const Change& change, bool after) {
   Value glyphs = Value::array();
   for (const GlyphChange& glyph : change.glyphs) {
@@ -55,7 +75,7 @@ bool Player::undo() {
   if (done_ == 0) {
     return false;
   }
-  project_.revert(steps_[--done_]);
+  project_.revert(steps_[--done_].change);
   return true;
 }
 
@@ -63,14 +83,41 @@ bool Player::redo() {
   if (done_ == steps_.size()) {
     return false;
   }
-  project_.apply(steps_[done_++]);
+  project_.apply(steps_[done_++].change);
   return true;
 }
 
-void Player::apply(Change change) {
-  project_.apply(change);
+std::optional<size_t> Player::last_of(size_t layer,
+                                      const std::string& glyph,
+                                      bool is_redo) const {
+  for (size_t i = done_; i-- > 0;) {
+    const auto& glyphs = steps_[i].change.glyphs;
+    const auto found = std::find_if(
+        glyphs.begin(), glyphs.end(), [&](const GlyphChange& entry) {
+          return entry.layer == layer && entry.name == glyph;
+        });
+    if (found == glyphs.end()) {
+      continue;
+    }
+    const Step& step = steps_[i];
+    const bool is_undo = step.takes_back && !step.is_redo;
+    if (is_redo ? is_undo : !step.takes_back) {
+      return found->before != nullptr && found->after != nullptr
+                 ? std::optional<size_t>(i)
+                 : std::nullopt;
+    }
+    if (!step.takes_back) {
+      return std::nullopt;  // a change since: nothing to do again
+    }
+    i = *step.takes_back;  // goes on before it
+  }
+  return std::nullopt;
+}
+
+void Player::apply(Step step) {
+  project_.apply(step.change);
   steps_.resize(done_);
-  steps_.push_back(std::move(change));
+  steps_.push_back(std::move(step));
   ++done_;
 }
 
@@ -112,7 +159,9 @@ void Player::play(const Value& record) {
       throw Error(std::string("command 'restore': ") + error.what());
     }
   } else {
-    apply(change_of(project_, record));
+    Change change = change_of(project_, record);
+    std::string title = title_of(record, change);
+    apply({std::move(change), std::move(title), std::nullopt, false});
   }
 }
 

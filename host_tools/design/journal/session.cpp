@@ -4,6 +4,7 @@
 
 #include "model/commands.hpp"
 #include "model/error.hpp"
+#include "ufo/glif.hpp"
 
 namespace inkcell::design {
 
@@ -85,22 +86,54 @@ void Session::run(const Value& command) {
 void Session::run(const Value& command, Change change) {
   const size_t position = player_->done();
   journal_->append(command);
-  player_->apply(std::move(change));
+  std::string title = title_of(command, change);
+  player_->apply({std::move(change), std::move(title), std::nullopt, false});
   ++records_;
   base_ = std::min(base_, position);
 }
 
 // A step before the journal began is written out.
 bool Session::step(bool is_redo) {
-  const Change* step = is_redo ? player_->next() : player_->last();
+  const Step* step = is_redo ? player_->next() : player_->last();
   if (step == nullptr) {
     return false;
   }
   const bool is_held = player_->done() + (is_redo ? 1 : 0) > base_;
   journal_->append(is_held ? Value{{"do", is_redo ? "redo" : "undo"}}
-                           : restore_record(*step, is_redo));
+                           : restore_record(step->change, is_redo));
   ++records_;
   return is_redo ? player_->redo() : player_->undo();
+}
+
+std::optional<std::string> Session::step_glyph(size_t layer,
+                                               const std::string& glyph,
+                                               bool is_redo) {
+  const auto target = player_->last_of(layer, glyph, is_redo);
+  if (!target) {
+    return std::nullopt;
+  }
+  const std::vector<Step>& steps = player_->steps();
+  std::string title =
+      steps[is_redo ? *steps[*target].takes_back : *target].title;
+  GlyphPointer old;
+  for (const GlyphChange& entry : steps[*target].change.glyphs) {
+    if (entry.layer == layer && entry.name == glyph) {
+      old = entry.before;
+    }
+  }
+  const Project& now = player_->project();
+  const Value command = {{"do", "set_glyph"},
+                         {"glyph", glyph},
+                         {"layer", now.layers[layer].name},
+                         {"glif", write_glif(*old)}};
+  Change change = change_of(now, command);
+  const size_t position = player_->done();
+  journal_->append(command);
+  player_->apply({std::move(change), (is_redo ? "Redo: " : "Undo: ") + title,
+                  target, is_redo});
+  ++records_;
+  base_ = std::min(base_, position);
+  return title;
 }
 
 void Session::save() {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,19 @@
 #include "ufo/ufo.hpp"
 
 namespace inkcell::design {
+
+/// A change with a name for the history: "Move points of a".
+struct Step {
+  Change change;
+  std::string title;
+  /// The step that this one takes back for its glyph alone: an undo of a
+  /// change, or a redo of such an undo.
+  std::optional<size_t> takes_back;
+  bool is_redo = false;
+};
+
+/// What a command does, for the history.
+std::string title_of(const Value& command, const Change& change);
 
 /// Runs the records of a journal or a script: commands, undo, redo, and other
 /// records of a session.
@@ -23,12 +37,15 @@ class Player {
 
   const Project& project() const { return project_; }
   /// The step to undo or to redo; null if there is none. Valid until apply().
-  const Change* last() const {
-    return done_ == 0 ? nullptr : &steps_[done_ - 1];
-  }
-  const Change* next() const {
+  const Step* last() const { return done_ == 0 ? nullptr : &steps_[done_ - 1]; }
+  const Step* next() const {
     return done_ == steps_.size() ? nullptr : &steps_[done_];
   }
+  const std::vector<Step>& steps() const { return steps_; }
+  /// The step that undo, or redo, of this glyph alone takes back.
+  std::optional<size_t> last_of(size_t layer,
+                                const std::string& glyph,
+                                bool is_redo) const;
   /// Steps that undo() takes back.
   size_t done() const { return done_; }
 
@@ -36,13 +53,13 @@ class Player {
   bool undo();
   bool redo();
   /// Applies a change that can be undone. Discards undone steps.
-  void apply(Change change);
+  void apply(Step step);
 
  private:
   void restore(const Value& record);
 
   Project project_;
-  std::vector<Change> steps_;
+  std::vector<Step> steps_;
   size_t done_ = 0;
 };
 
@@ -76,6 +93,15 @@ class Session {
   void run(const Value& command, Change change);
   bool undo() { return step(false); }
   bool redo() { return step(true); }
+  /// Takes back the last change of a glyph, or such an undo, and leaves the
+  /// changes of others since: a step of its own. Returns the title of what it
+  /// took back; nothing if there was nothing.
+  std::optional<std::string> step_glyph(size_t layer,
+                                        const std::string& glyph,
+                                        bool is_redo);
+  /// All steps since the project was opened, and how many of them are done.
+  const std::vector<Step>& history() const { return player_->steps(); }
+  size_t done() const { return player_->done(); }
 
   /// Writes the project and empties the journal. After a crash at any moment
   /// there is either the old project and its journal, or the new project.

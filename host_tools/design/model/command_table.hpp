@@ -23,7 +23,9 @@ void add_point_commands(CommandTable& table);
 void add_field_commands(CommandTable& table);
 void add_font_commands(CommandTable& table);
 void add_source_commands(CommandTable& table);
+void add_spacing_command(CommandTable& table);
 void add_transform_commands(CommandTable& table);
+void add_weight_commands(CommandTable& table);
 
 /// The change of a command without what follows in glyphs that are made of
 /// others.

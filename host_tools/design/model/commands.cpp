@@ -19,7 +19,9 @@ const CommandTable& command_table() {
     add_field_commands(all);
     add_font_commands(all);
     add_source_commands(all);
+    add_spacing_command(all);
     add_transform_commands(all);
+    add_weight_commands(all);
     return all;
   }();
   return table;

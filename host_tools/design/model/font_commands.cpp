@@ -1,5 +1,6 @@
 // Commands on the font as a whole.
 #include "model/command_table.hpp"
+#include "model/masters.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -68,9 +69,33 @@ Change set_features(const Project& project, const Arguments& arguments) {
       project, [&](FontData& font) { font.features = arguments.text("text"); });
 }
 
+Change set_axes(const Project& project, const Arguments& arguments) {
+  Value axes = Value::object();
+  for (const char* key : {"axes", "masters", "instances"}) {
+    if (arguments.has(key)) {
+      axes[key] = arguments.value(key);
+    }
+  }
+  if (!axes.empty()) {
+    try {
+      parse_axes(project, axes);
+    } catch (const std::exception& error) {
+      arguments.refuse(error.what());
+    }
+  }
+  return edited_font(project, [&](FontData& font) {
+    if (axes.empty()) {
+      font.lib.erase(kAxesKey);
+    } else {
+      font.lib[kAxesKey] = axes;
+    }
+  });
+}
+
 }  // namespace
 
 void add_font_commands(CommandTable& table) {
+  table["set_axes"] = set_axes;
   table["set_features"] = set_features;
   table["set_group"] = set_group;
   table["set_info"] = set_info;

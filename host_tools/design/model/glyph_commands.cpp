@@ -3,6 +3,7 @@
 
 #include "model/command_table.hpp"
 #include "model/glyph_names.hpp"
+#include "ufo/glif.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -182,6 +183,18 @@ Change set_glyph_lib(const Project& project, const Arguments& arguments) {
   });
 }
 
+// The glyph as it was, for undo by glyph.
+Change set_glyph(const Project& project, const Arguments& arguments) {
+  return edited(
+      project, arguments,
+      [&](Glyph& glyph) {
+        const std::string name = glyph.name;
+        glyph = parse_glif(arguments.text("glif"), "\"glif\" of " + name);
+        glyph.name = name;
+      },
+      true);
+}
+
 }  // namespace
 
 void add_glyph_commands(CommandTable& table) {
@@ -189,6 +202,7 @@ void add_glyph_commands(CommandTable& table) {
   table["delete_glyph"] = delete_glyph;
   table["rename_glyph"] = rename_glyph;
   table["set_advance"] = set_advance;
+  table["set_glyph"] = set_glyph;
   table["set_glyph_lib"] = set_glyph_lib;
   table["set_unicodes"] = set_unicodes;
 }

@@ -5,6 +5,7 @@
 
 #include "app/options.hpp"
 #include "app/output.hpp"
+#include "export/designspace.hpp"
 #include "export/rom.hpp"
 #include "export/svg.hpp"
 #include "export/ttf.hpp"
@@ -63,6 +64,8 @@ void run_export(ConvertArguments& arguments) {
     write_bytes(arguments.out, write_ttf(project, &report));
   } else if (ending == ".bin") {
     export_rom(project, arguments, report);
+  } else if (ending == ".designspace") {
+    write_designspace(project, arguments.out);
   } else if (ending == ".svg") {
     if (arguments.glyph.empty()) {
       throw Error("say with --glyph which glyph to draw");
@@ -72,8 +75,10 @@ void run_export(ConvertArguments& arguments) {
         outline_of(project, *project.glyph(arguments.glyph)), arguments.glyph));
     file.commit();
   } else {
-    throw Error(arguments.out +
-                ": its ending says what to write: .ttf, .bin, .ufo or .svg");
+    throw Error(
+        arguments.out +
+        ": its ending says what to write: .ttf, .bin, .ufo, .designspace or "
+        ".svg");
   }
   std::printf("%s: %ju bytes", arguments.out.c_str(),
               static_cast<uintmax_t>(fs::file_size(arguments.out)));
@@ -118,9 +123,10 @@ void add_export(CLI::App& app, Work& work) {
       ->type_name("P.ufo");
   command
       ->add_option("--out", arguments->out,
-                   "What to write: TrueType, an Inkcell font, a UFO, or SVG")
+                   "What to write: TrueType, an Inkcell font, a UFO, the "
+                   "sources of a variable font, or SVG")
       ->required()
-      ->type_name("FONT.ttf|FONT.bin|Q.ufo|GLYPH.svg");
+      ->type_name("FONT.ttf|FONT.bin|Q.ufo|Q.designspace|GLYPH.svg");
   command->add_option("--glyph", arguments->glyph, "The glyph, for SVG")
       ->type_name("NAME");
   gen::add_generator_options(*command, arguments->request);

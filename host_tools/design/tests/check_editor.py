@@ -240,6 +240,43 @@ def check_new_font(editor):
                f"{line}: said {result.stderr!r}")
 
 
+def check_history(editor):
+    """Undo by glyph, and what is said of it."""
+    first, gone, back, none = editor.run(
+        "new U.ufo Hano2! Mine 1000 750 -250 500 700", "glyph H",
+        "tool Rectangle", "press 0 0", "move 100 700", "release 100 700",
+        "glyph a", "press 0 0", "move 100 500", "release 100 500", "glyph H",
+        "print", "key u", "print", "key shift+u", "print", "glyph n", "key u",
+        "print")
+    expect(first["history"] == ["Add contour of H", "Add contour of a"],
+           f"history: {first['history']}")
+    expect(gone["message"] == "Undone: Add contour of H" and
+           not gone["contours"], f"undo by glyph: {gone['message']}")
+    expect(back["message"] == "Redone: Add contour of H" and
+           back["contours"] == first["contours"], "redo by glyph")
+    expect("nothing to undo in n" in none["message"], none["message"])
+    other, = editor.run("open U.ufo", "glyph a", "key ctrl+z", "print")
+    expect(other["message"].startswith("Undone: "), other["message"])
+    # 'Hano2!' is characters; the preview's text is kept with the project.
+    names = plistlib.loads((editor.folder / "U.ufo/lib.plist").read_bytes())
+    expect(set(names["public.glyphOrder"]) == {"H", "a", "n", "o", "two",
+                                               "exclam"}, f"Hano2!: {names}")
+    editor.run("open U.ufo", "text Hano2!", "save")
+    names = plistlib.loads((editor.folder / "U.ufo/lib.plist").read_bytes())
+    expect(names["org.inkcell.previewText"] == "Hano2!", "the preview's text")
+    # A double click opens a component.
+    opened, = editor.run("open U.ufo", "glyph o",
+                         'do {"do": "add_component", "base": "a"}',
+                         "tool Select", "press 50 250 twice",
+                         "release 50 250", "print")
+    expect(opened["glyph"] == "a", f"opened: {opened['glyph']}")
+    editor.run("open U.ufo", "glyph H", "screenshot points.ppm",
+               "action Black", "screenshot black.ppm")
+    points, black = ((editor.folder / name).read_bytes()
+                     for name in ("points.ppm", "black.ppm"))
+    expect(points != black, "a black glyph looks as before")
+
+
 def check_spacing(editor):
     """Side bearings and kerning by dragging in a line of text."""
     group = 'do {"do": "set_group", "group": "public.kern%d.%s", "value": %s}'
@@ -515,7 +552,9 @@ def check_picture(editor):
            ["board.png", "", "board.png"], "a picture, undone and redone")
     names = ("without.ppm", "with.ppm", "undone.ppm")
     shots = [(editor.folder / name).read_bytes() for name in names]
-    expect(shots[0] != shots[1] and shots[0] == shots[2], "a picture is seen")
+    above = slice(-1440 * 3 * 30)  # the line below says what was undone
+    expect(shots[0][above] != shots[1][above] and
+           shots[0][above] == shots[2][above], "a picture is seen")
     expect(kept.read_bytes() == picture, "the project keeps the picture")
     glif = next((editor.folder / "P.ufo/glyphs").glob("a.glif")).read_text()
     expect('<image fileName="board.png" xScale="32" yScale="32"' in glif,
@@ -581,6 +620,7 @@ def check_errors(editor):
 def main():
     render = str(pathlib.Path(sys.argv[2]).resolve())
     run_checks(check_edits, check_points, check_tools, check_new_font,
+               check_history,
                check_overlaps, check_smooth_points, check_spacing,
                check_transform, check_parts, check_lua, check_clipboard,
                check_levels, check_latency,

@@ -244,5 +244,49 @@ TEST_F(Commands, SetBearingsMovesInkAndLeavesUsersInPlace) {
             "");
 }
 
+TEST_F(Commands, OffsetKeepsPointsAndMovesEdges) {
+  add_square();
+  const std::string offset = R"({"do": "offset", "glyph": "a", "by": 20)";
+  run(offset + "}");
+  const PointContour grown = project_.glyph("a")->contours[0];
+  EXPECT_EQ(grown.points.size(), 4u);
+  EXPECT_EQ(grown.points[0].x, -20);
+  EXPECT_EQ(grown.points[2].y, 520);
+  run(offset + R"(, "side": "inside"})");
+  EXPECT_EQ(project_.glyph("a")->contours[0].points[2].y, 500);
+  run(offset + R"(, "side": "both"})");
+  EXPECT_EQ(project_.glyph("a")->contours.size(), 2u);
+  EXPECT_LT(area_at("a", 250, 250), 0);
+  EXPECT_NEAR(area_at("a", 250, 0), 20 * 1.024, 0.1);
+  EXPECT_NE(refusal_of(offset + R"(, "side": "up"})"), "");
+}
+
+// A square ring: stems of 100, a counter of 300.
+TEST_F(Commands, ChangeWeightKeepsHeightsAndWhatIsAsked) {
+  add_square();
+  run(R"({"do": "add_contour", "glyph": "a", "points":
+          [[100, 100], [100, 400], [400, 400], [400, 100]]})");
+  const Project before = project_;
+  const auto weigh = [&](const char* more) {
+    project_ = before;
+    run(std::string(R"({"do": "change_weight", "glyph": "a", "by": 40)") +
+        more + "}");
+    const Glyph& glyph = *project_.glyph("a");
+    const auto& outer = glyph.contours[0].points;
+    const auto& inner = glyph.contours[1].points;
+    return std::vector<double>{outer[0].y, outer[2].y, outer[0].x,
+                               outer[1].x, inner[0].x, inner[2].x,
+                               inner[0].y, inner[2].y, glyph.width};
+  };
+  using Values = std::vector<double>;
+  EXPECT_EQ(weigh(""), (Values{0, 500, 0, 580, 140, 440, 124, 376, 580}));
+  EXPECT_EQ(weigh(R"(, "counters": 0, "bars": 20)"),
+            (Values{0, 500, 0, 500, 140, 360, 120, 380, 500}));
+  EXPECT_EQ(weigh(R"(, "advance": "keep")"),
+            (Values{0, 500, -40, 540, 100, 400, 124, 376, 500}));
+  EXPECT_NE(refusal_of(R"({"do": "change_weight", "glyph": "a", "by": 4000})"),
+            "");
+}
+
 }  // namespace
 }  // namespace inkcell::design::test

@@ -100,6 +100,42 @@ TEST_F(Journal, UndoesAcrossASave) {
   EXPECT_EQ(session.project().glyph("A")->width, 700);
 }
 
+// A glyph goes back alone; others keep what was changed since.
+TEST_F(Journal, UndoesByGlyph) {
+  const auto widen = [](const char* glyph, int width) {
+    return Value{{"do", "set_advance"}, {"glyph", glyph}, {"width", width}};
+  };
+  std::string last;
+  {
+    Session session = open();
+    const auto width = [&](const char* name) {
+      return session.project().glyph(name)->width;
+    };
+    const double first = width("o");
+    session.run(widen("o", 501));
+    session.run(widen("o", 502));
+    session.run(widen("A", 900));
+    EXPECT_EQ(session.step_glyph(0, "o", false), "Set advance of o");
+    EXPECT_EQ(width("o"), 501);
+    EXPECT_EQ(width("A"), 900);
+    EXPECT_TRUE(session.step_glyph(0, "o", false));
+    EXPECT_EQ(width("o"), first);
+    EXPECT_FALSE(session.step_glyph(0, "o", false));
+    EXPECT_TRUE(session.step_glyph(0, "o", true));
+    EXPECT_EQ(session.step_glyph(0, "o", true), "Set advance of o");
+    EXPECT_EQ(width("o"), 502);
+    EXPECT_FALSE(session.step_glyph(0, "o", true));
+    EXPECT_TRUE(session.step_glyph(0, "o", false));
+    EXPECT_EQ(width("o"), 501);
+    EXPECT_EQ(session.history()[3].title, "Undo: Set advance of o");
+    EXPECT_TRUE(session.undo());  // of that undo
+    EXPECT_EQ(width("o"), 502);
+    last = digest(session);
+  }  // a crash
+  Session session = open();
+  EXPECT_EQ(digest(session), last);
+}
+
 // Undo restores a picture that a save removed from the disk.
 TEST_F(Journal, UndoBringsAPictureBack) {
   const auto before = contents_of(path_);

@@ -148,6 +148,13 @@ void draw_canvas(Panels& panels) {
     draw_heading(editor, origin);
     return;
   }
+  const bool is_space =
+      SDL_GetKeyboardState(nullptr)[SDL_SCANCODE_SPACE] != 0 &&
+      !ImGui::GetIO().WantTextInput;
+  if (is_space || editor.shows_black) {
+    attempt(editor, [&] { layer.draw_black(); });
+    return;
+  }
   layer.draw_fill();
   layer.draw_background();
   layer.draw_zones();

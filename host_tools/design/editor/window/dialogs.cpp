@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <vector>
 
 #include "editor/glyph_set.hpp"
@@ -55,6 +56,28 @@ void make_font(Panels& panels, const Values& values) {
                        values[7]);
 }
 
+// One axis between the default master and the first other one.
+void set_axis(Panels& panels, const Values& values) {
+  Editor& editor = panels.editor;
+  const std::vector<Layer>& layers = editor.project().layers;
+  if (layers.size() < 2) {
+    throw Error("a variable font has two masters; \"Add master\" adds one");
+  }
+  const std::string tag = values[0].substr(0, 4);
+  const std::string name = values[0].size() > 5 ? values[0].substr(5) : "";
+  Value instances = Value::array();
+  std::istringstream list(values[3]);
+  for (std::string instance, at; list >> instance >> at;) {
+    instances.push_back(
+        {{"name", instance}, {tag, number_of("Instance " + instance, at)}});
+  }
+  Value command = {{"do", "set_axes"}, {"instances", instances}};
+  command["axes"] = Value::array({Value{{"tag", tag}, {"name", name}}});
+  command["masters"][layers[0].name][tag] = number_of("Default", values[1]);
+  command["masters"][layers[1].name][tag] = number_of("Other", values[2]);
+  editor.run(command);
+}
+
 const std::vector<Dialog>& dialog_list() {
   static const std::vector<Dialog> list = {
       {"Open",
@@ -68,7 +91,8 @@ const std::vector<Dialog>& dialog_list() {
          editor.open(values[0]);
        }},
       {"New font",
-       "A project (UFO) with empty glyphs: characters (A-Z,U+B0) or a name",
+       "A project (UFO) with empty glyphs: characters (Hano2!) or ranges "
+       "(A-Z,U+B0)",
        "Make",
        {".ufo"},
        {"Name", "Units an em", "Ascender", "Descender", "x-height",
@@ -89,17 +113,23 @@ const std::vector<Dialog>& dialog_list() {
          editor.save_as(values[0]);
        }},
       {"Export",
-       "A font (.ttf, .bin) or a copy of the project (.ufo)",
+       "A font (.ttf, .bin), a copy of the project (.ufo), or the sources of "
+       "a variable font (.designspace)",
        "Export",
        {".ttf", ".bin", ".ufo"},
        {},
-       [](const Editor&) { return Values{"Font.ttf"}; },
+       [](const Editor& editor) {
+         std::string name =
+             editor.project().font->info.value("familyName", "Font");
+         name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+         return Values{(name.empty() ? "Font" : name) + ".ttf"};
+       },
        [](Panels& panels, const Values& values) {
          Editor& editor = panels.editor;
          editor.export_to(values[0]);
        }},
       {"Add glyphs",
-       "Characters (A-Z,0x20-0x7E,U+B0), or a name (exclam, _stem)",
+       "Characters (Hano2!), ranges (A-Z,U+B0), or a name (exclam, _stem)",
        "Add",
        {},
        {},
@@ -133,11 +163,23 @@ const std::vector<Dialog>& dialog_list() {
        "A layer with the same glyphs, such as Bold; the project is saved",
        "Add",
        {},
-       {},
-       [](const Editor&) { return Values{"Bold"}; },
+       {"Stems wider by"},
+       [](const Editor&) {
+         return Values{"Bold", "0"};
+       },
        [](Panels& panels, const Values& values) {
-         panels.editor.add_master(values[0]);
+         panels.editor.add_master(values[0],
+                                  number_of("Stems wider by", values[1]));
        }},
+      {"Axis and instances",
+       "The axis of a variable font: wght Weight; export it as .designspace",
+       "Set",
+       {},
+       {"Default master at", "Other master at", "Instances"},
+       [](const Editor&) {
+         return Values{"wght Weight", "400", "700", "Medium 500"};
+       },
+       set_axis},
       {"Add component",
        "The name of the glyph to put into this one",
        "Add",
@@ -230,10 +272,21 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
         ImGui::InputText(dialog.labels[i], &panels.dialog_values[i + 1],
                          ImGuiInputTextFlags_EnterReturnsTrue);
   }
+  if (!panels.dialog_problem.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
+    ImGui::PushTextWrapPos(px(520));
+    ImGui::TextUnformatted(panels.dialog_problem.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
   if (ImGui::Button(dialog.button, {px(110), 0}) || is_entered) {
-    attempt(panels.editor, [&] { dialog.run(panels, panels.dialog_values); });
-    panels.dialog.clear();
-    ImGui::CloseCurrentPopup();
+    try {
+      dialog.run(panels, panels.dialog_values);
+      panels.dialog.clear();
+      ImGui::CloseCurrentPopup();
+    } catch (const std::exception& error) {
+      panels.dialog_problem = error.what();  // stays open
+    }
   }
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {px(110), 0}) ||
@@ -310,15 +363,33 @@ void draw_outline_question(Editor& editor) {
 
 }  // namespace
 
+void draw_apply_or_cancel(Panels& panels) {
+  Editor& editor = panels.editor;
+  const bool is_applied = ImGui::Button("Apply", {px(110), 0});
+  ImGui::SameLine();
+  if (is_applied) {
+    attempt(editor, [&] { editor.commit(); });
+  } else if (!ImGui::Button("Cancel", {px(110), 0})) {
+    return;
+  }
+  editor.propose(nullptr);
+  panels.dialog.clear();
+}
+
 void open_dialog(Panels& panels, const char* name) {
   if (std::string(name) == kTransform) {
     panels.dialog = name;
     panels.transform = {};
   }
+  if (std::string(name) == kWeight) {
+    panels.dialog = name;
+    panels.weight = {};
+  }
   for (const Dialog& dialog : dialog_list()) {
     if (std::string(dialog.name) == name) {
       panels.dialog = name;
       panels.dialog_values = dialog.propose(panels.editor);
+      panels.dialog_problem.clear();
     }
   }
 }
@@ -342,6 +413,10 @@ void draw_dialogs(Panels& panels) {
   }
   if (panels.dialog == kTransform) {
     draw_transform(panels);
+    return;
+  }
+  if (panels.dialog == kWeight) {
+    draw_weight(panels);
     return;
   }
   for (const Dialog& dialog : dialog_list()) {

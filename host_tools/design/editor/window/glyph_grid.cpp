@@ -27,13 +27,17 @@ std::string label_of(const Glyph& glyph) {
   return glyph.name.substr(0, kLetters);
 }
 
+// Whether the text is a glyph's character, or its name.
+bool is_exact(const Glyph& glyph, const std::string& text) {
+  return glyph.name == text ||
+         std::any_of(glyph.unicodes.begin(), glyph.unicodes.end(),
+                     [&text](char32_t c) { return tools::to_utf8(c) == text; });
+}
+
 // Whether a glyph's name or character, or U+ and its code point, has `text`.
 bool matches(const Glyph& glyph, const std::string& text) {
-  bool found = glyph.name.find(text) != std::string::npos;
-  for (const char32_t c : glyph.unicodes) {
-    found = found || tools::to_utf8(c) == text;
-  }
-  return found || character_list(glyph).find(text) != std::string::npos;
+  return is_exact(glyph, text) || glyph.name.find(text) != std::string::npos ||
+         character_list(glyph).find(text) != std::string::npos;
 }
 
 void draw_cell(Panels& panels, const std::string& name) {
@@ -121,14 +125,10 @@ void draw_glyph_grid(Panels& panels) {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", "Search: name, character, U+0041",
                            &panels.search);
+  const size_t count_of_all = order.size();
   size_t missing = 0;
   for (const std::string& name : order) {
     missing += is_undrawn(*editor.project().find(name)) ? 1u : 0u;
-  }
-  ImGui::Text(order.size() == 1 ? "%zu glyph" : "%zu glyphs", order.size());
-  if (missing != 0) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("%zu empty", missing);
   }
   if (!panels.search.empty()) {
     order.erase(std::remove_if(order.begin(), order.end(),
@@ -137,6 +137,17 @@ void draw_glyph_grid(Panels& panels) {
                                                  panels.search);
                                }),
                 order.end());
+    std::stable_partition(
+        order.begin(), order.end(), [&](const std::string& name) {
+          return is_exact(*editor.project().find(name), panels.search);
+        });
+    ImGui::Text("%zu of %zu glyphs", order.size(), count_of_all);
+  } else {
+    ImGui::Text(count_of_all == 1 ? "%zu glyph" : "%zu glyphs", count_of_all);
+  }
+  if (missing != 0) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%zu empty", missing);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
   ImGui::BeginChild("grid");

@@ -203,10 +203,16 @@ void draw_components(Editor& editor) {
   for (size_t i = 0; i < glyph->components.size(); ++i) {
     const std::string label =
         glyph->components[i].base + "##" + std::to_string(i);
-    if (ImGui::Selectable(label.c_str(), editor.component == i)) {
+    if (ImGui::Selectable(label.c_str(), editor.component == i,
+                          ImGuiSelectableFlags_AllowDoubleClick)) {
       editor.component = i;
       editor.selection.clear();
+      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        attempt(editor, [&] { editor.show(glyph->components[i].base); });
+        return;
+      }
     }
+    tooltip("A double click opens it");
   }
 }
 
@@ -259,9 +265,8 @@ void draw_masters(Editor& editor) {
     return;
   }
   const std::string name = master_name(project, *other);
-  const std::vector<std::string> wrong =
-      mismatches(*editor.glyph(), *project.find(editor.glyph_name(), *other),
-                 name);
+  const std::vector<std::string> wrong = mismatches(
+      *editor.glyph(), *project.find(editor.glyph_name(), *other), name);
   if (wrong.empty()) {
     ImGui::SameLine(0, px(18));
     auto part = static_cast<float>(100 * editor.part_between);

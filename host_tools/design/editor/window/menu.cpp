@@ -41,6 +41,26 @@ void dialog_item(Panels& panels,
   }
 }
 
+// The steps since the project was opened; a click goes to the state after one.
+void draw_history(Panels& panels) {
+  Editor& editor = panels.editor;
+  if (!ImGui::BeginMenu("History", editor.is_open())) {
+    return;
+  }
+  const std::vector<Step>& steps = editor.session().history();
+  const size_t done = editor.session().done();
+  constexpr size_t kMost = 30;
+  for (size_t i = steps.size() + 1; i-- > 0 && i + kMost > steps.size();) {
+    const std::string title =
+        (i == 0 ? "Opened" : steps[i - 1].title) + "##" + std::to_string(i);
+    if (ImGui::MenuItem(title.c_str(), "", i == done)) {
+      attempt(editor, [&] { editor.go_to(i); });
+      break;
+    }
+  }
+  ImGui::EndMenu();
+}
+
 }  // namespace
 
 void draw_menu(Panels& panels) {
@@ -59,6 +79,7 @@ void draw_menu(Panels& panels) {
     item(panels, "Revert");
     dialog_item(panels, "Export", "Ctrl+E", is_open);
     dialog_item(panels, "Add master", "", is_open);
+    dialog_item(panels, "Axis and instances", "", is_open);
     dialog_item(panels, kScript, "", is_open);
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) {
@@ -68,8 +89,12 @@ void draw_menu(Panels& panels) {
   }
   if (ImGui::BeginMenu("Edit")) {
     for (const char* name :
-         {"Undo", "Redo", "", "Cut", "Copy", "Paste", "Duplicate", "Delete", "",
-          "Select all", "Select none"}) {
+         {"Undo", "Redo", "Undo in this glyph", "Redo in this glyph"}) {
+      item(panels, name);
+    }
+    draw_history(panels);
+    for (const char* name : {"", "Cut", "Copy", "Paste", "Duplicate", "Delete",
+                             "", "Select all", "Select none"}) {
       item(panels, name);
     }
     ImGui::EndMenu();
@@ -79,7 +104,8 @@ void draw_menu(Panels& panels) {
          {"Unite", "Subtract", "Intersect", "Exclude", "", "Smooth or corner",
           "Reverse contours", "Round to whole units", "Convert to cubics",
           "Curves from the field", "Decompose", "Combine components",
-          "Turn into outline", "", "Next glyph", "Previous glyph"}) {
+          "Turn into outline", "Space letters", "", "Next glyph",
+          "Previous glyph"}) {
       item(panels, name);
     }
     ImGui::Separator();
@@ -95,6 +121,7 @@ void draw_menu(Panels& panels) {
   }
   if (ImGui::BeginMenu("Transform")) {
     dialog_item(panels, kTransform, "", panels.editor.glyph() != nullptr);
+    dialog_item(panels, kWeight, "", panels.editor.glyph() != nullptr);
     for (const char* name :
          {"Reflect left and right", "Reflect up and down", "Turn left",
           "Turn right", "", "Align points", "Align left", "Align centres",
@@ -113,6 +140,7 @@ void draw_menu(Panels& panels) {
     item(panels, "Vertical guide");
     item(panels, "Other layers", panels.editor.shows_layers);
     ImGui::Separator();
+    item(panels, "Black", panels.editor.shows_black);
     item(panels, "Cells", panels.editor.preview.cells);
     item(panels, "Dark display", panels.editor.preview.dark);
     item(panels, "Dark theme", panels.editor.dark_theme);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kHandleReach = 44;  // of the pointer that shows handles
 
-constexpr int kRowsOfPixel = 4;      // whose spans a pixel's coverage adds up
+constexpr int kRowsOfPixel = 4;  // whose spans a pixel's coverage adds up
 
 float to_float(double value) {
   return static_cast<float>(value);
@@ -25,8 +25,8 @@ float to_float(double value) {
 
 ImU32 with_opacity(ImU32 colour, float part) {
   const ImU32 alpha = (colour >> IM_COL32_A_SHIFT) & 0xff;
-  const auto scaled = static_cast<ImU32>(
-      std::lround(part * static_cast<float>(alpha)));
+  const auto scaled =
+      static_cast<ImU32>(std::lround(part * static_cast<float>(alpha)));
   return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);
 }
 
@@ -244,7 +244,7 @@ void OutlineLayer::fill(const gen::Shape& shape,
   }
 }
 
-void OutlineLayer::draw_fill() const {
+void OutlineLayer::draw_ink(ImU32 ink) const {
   if (panels_.filled != glyph_) {
     panels_.filled = glyph_;
     panels_.shape.reset();
@@ -257,7 +257,20 @@ void OutlineLayer::draw_fill() const {
   }
   if (panels_.shape != nullptr && !panels_.shape->empty()) {
     fill(*panels_.shape, gen::kUPerEm / panels_.editor.project().units_per_em(),
-         colour::fill);
+         ink);
+  }
+}
+
+void OutlineLayer::draw_black() const {
+  draw_ink(colour::ink);
+  const Project project = panels_.editor.shown_project();
+  for (const ComponentUse& use : glyph_->components) {
+    Glyph part;
+    append_component(project, 0, use, part.contours);
+    const gen::Shape shape(outline_of(project, part));
+    if (!shape.empty()) {
+      fill(shape, gen::kUPerEm / project.units_per_em(), colour::ink);
+    }
   }
 }
 

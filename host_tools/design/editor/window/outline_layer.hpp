@@ -17,8 +17,10 @@ class OutlineLayer {
   void draw_guides() const;
   void draw_layers() const;
   void draw_background() const;
-  void draw_fill() const;
+  void draw_fill() const { draw_ink(colour::fill); }
   void draw_components() const;
+  /// Glyph and components in black, as a reader sees them.
+  void draw_black() const;
   void draw_parts() const;
   /// Centre lines, knots and nibs.
   void draw_strokes() const;
@@ -30,6 +32,7 @@ class OutlineLayer {
   void draw_line() const;
 
  private:
+  void draw_ink(ImU32 ink) const;
   ImVec2 map(double x, double y) const;
   std::shared_ptr<const tools::Image> background() const;
   void fill(const gen::Shape& shape,

@@ -37,6 +37,16 @@ struct LineShape {
   std::shared_ptr<const gen::Shape> shape;
 };
 
+/// What the sliders of weight and offset say. [font units]
+struct WeightValues {
+  bool is_offset = false;
+  float by = 0;
+  float bars = 0;
+  float counters = 100;  // [%] kept
+  bool keeps_advance = false;
+  int side = 0;  // outside, inside, both
+};
+
 /// Shared state of the panels, beside the editor.
 struct Panels {
   Panels(Editor& shown, Textures& kept) : editor(shown), textures(kept) {}
@@ -51,12 +61,14 @@ struct Panels {
   bool wants_quit = false;
   std::string dialog;  // the one that is open: its name; "" if none is
   std::vector<std::string> dialog_values;
+  std::string dialog_problem;  // of the values, shown in the dialog
   struct {
     float x = 100;  // [%]
     float y = 100;
     float slant = 0;  // [degrees]
     float turn = 0;
   } transform;
+  WeightValues weight;
   std::string followed;  // the glyph that the grid has scrolled to
   // The filled shape on the canvas: the glyph without components.
   GlyphPointer filled;
@@ -96,6 +108,14 @@ inline constexpr const char* kScript = "Run script";
 /// Scale, slant and turn by sliders.
 inline constexpr const char* kTransform = "Scale, slant and turn";
 void draw_transform(Panels& panels);
+
+/// Weight and offset by sliders.
+inline constexpr const char* kWeight = "Weight and offset";
+void draw_weight(Panels& panels);
+
+/// The buttons of a dialog whose sliders propose a command: makes it or drops
+/// it, and ends the dialog.
+void draw_apply_or_cancel(Panels& panels);
 
 /// Opens a dialog by its name, with the values that it proposes.
 void open_dialog(Panels& panels, const char* name);

@@ -34,16 +34,7 @@ void draw_transform(Panels& panels) {
            {"turn", tenths(values.turn) / 10}}));
     });
   }
-  const bool is_applied = ImGui::Button("Apply", {px(110), 0});
-  ImGui::SameLine();
-  if (is_applied) {
-    attempt(editor, [&] { editor.commit(); });
-  } else if (!ImGui::Button("Cancel", {px(110), 0})) {
-    ImGui::End();
-    return;
-  }
-  editor.propose(nullptr);
-  panels.dialog.clear();
+  draw_apply_or_cancel(panels);
   ImGui::End();
 }
 
