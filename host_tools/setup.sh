@@ -38,15 +38,16 @@ inkcell_packages_site="python3 doxygen mkdocs python3-pygments"
 inkcell_packages_first="$inkcell_packages_demo
   git ccache libgtest-dev unicode-data fonts-roboto-unhinted fonts-liberation
   fonts-inter-variable fonts-lato fonts-noto-cjk
-  fonts-lohit-deva fonts-tlwg-loma-ttf unifont"
+  fonts-lohit-deva fonts-tlwg-loma-ttf unifont xfonts-terminus"
 
 inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio
-  clang lld nodejs make meson
+  clang lld nodejs make meson cargo rustc rust-src librust-cc-dev
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user
-  fonts-dejavu-extra fonts-inter fonts-noto-core libharfbuzz-bin
-  hunspell-ar hunspell-he hunspell-th hunspell-vi aspell aspell-fa
-  librsvg2-bin xvfb xdotool fontmake
+  fonts-dejavu-extra fonts-inter fonts-jetbrains-mono fonts-noto-core libharfbuzz-bin
+  hunspell-ar hunspell-he hunspell-ne hunspell-th hunspell-vi
+  aspell aspell-fa aspell-hi aspell-mr
+  librsvg2-bin xvfb xdotool fontmake python3-fontforge fonts-open-sans
   $inkcell_packages_reading $inkcell_packages_site"
 
 inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev zopfli
@@ -63,7 +64,7 @@ inkcell_packages_deb="$inkcell_packages_demo dpkg-dev help2man"
 inkcell_packages_fonts="python3 fonts-inter fonts-noto-core
   fonts-roboto-unhinted fonts-open-sans fonts-manrope fonts-dejavu-core
   fonts-b612 fonts-crosextra-caladea fonts-jetbrains-mono fonts-firacode
-  fonts-bebas-neue fonts-roboto-slab fonts-dseg fonts-dotgothic16
+  fonts-bebas-neue fonts-quicksand fonts-roboto-slab fonts-dseg fonts-dotgothic16
   fonts-spleen fonts-font-awesome fonts-material-design-icons-iconfont"
 
 inkcell_packages_bare="git debootstrap debian-archive-keyring"

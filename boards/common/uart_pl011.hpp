@@ -22,4 +22,10 @@ inline void pl011_write(uintptr_t base,
   }
 }
 
+inline char pl011_read(uintptr_t base) noexcept {
+  while ((reg(base + 0x18) & 0x10) != 0) {  // nothing received
+  }
+  return static_cast<char>(reg(base) & 0xff);
+}
+
 }  // namespace inkcell::board

@@ -5,6 +5,7 @@
 #include "display.hpp"
 #include "inkcell/port/framebuffer.hpp"
 #include "registers.hpp"
+#include "serial.hpp"
 
 namespace inkcell::board {
 namespace {
@@ -72,6 +73,12 @@ void console_write(const char* text, size_t size) noexcept {
     }
     reg<uint8_t>(kUart) = static_cast<uint8_t>(text[i]);
   }
+}
+
+char console_read() noexcept {
+  while ((reg<uint8_t>(kUart + 5) & 1) == 0) {  // nothing received
+  }
+  return static_cast<char>(reg<uint8_t>(kUart));
 }
 
 uint32_t counter_ticks() noexcept {

@@ -1,6 +1,7 @@
 # The code of this board, and its display. Its timers, 1 MHz, are too
 # slow to count instructions.
 set(INKCELL_BOARD_SOURCES common/start_arm9.S versatilepb/board.cpp)
+set(INKCELL_SERIAL ON)
 set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS rgb565)

@@ -4,6 +4,7 @@
 #include "display.hpp"
 #include "inkcell/port/framebuffer.hpp"
 #include "registers.hpp"
+#include "serial.hpp"
 #include "uart_pl011.hpp"
 
 namespace inkcell::board {
@@ -30,6 +31,10 @@ void init() noexcept {
 
 void console_write(const char* text, size_t size) noexcept {
   pl011_write(kUart, text, size);
+}
+
+char console_read() noexcept {
+  return pl011_read(kUart);
 }
 
 bool display_init(port::PixelFormat format) noexcept {

@@ -7,8 +7,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "inkcell/format/rom.hpp"
+#include "inkcell/layers/colour_glyphs.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
+#include "inkcell/port/colour.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/port/strip_loop.hpp"
 #include "inkcell/shaped_run.hpp"
@@ -276,6 +279,34 @@ Point make_point(double x, double y) {
   }
   return {Q26_6::from_raw(static_cast<int32_t>(std::lround(x * 64))),
           Q26_6::from_raw(static_cast<int32_t>(std::lround(y * 64)))};
+}
+
+bool has_layers(const Font& font) {
+  return font.section(format::section::kLayers).size != 0;
+}
+
+void draw_colours(const Font& font,
+                  const std::vector<Line>& lines,
+                  const Style& style,
+                  Point origin,
+                  uint32_t ink,
+                  Image& image) {
+  Strip strip;
+  strip.pixels = {image.pixels.data(), image.pixels.size()};
+  strip.width = image.width;
+  strip.height = image.height;
+  strip.stride = 3 * image.width;
+  port::Rgb888Canvas canvas(strip, ink);
+  if (canvas.status() != Status::ok) {
+    throw std::runtime_error("a picture of colours is at most 21845 px wide");
+  }
+  const ColourGlyphs colours(port::colour_of(canvas));
+  const Painter painter(canvas, {}, &colours);
+  const std::vector<Point> origins = line_origins(font, lines, style, origin);
+  for (size_t i = 0; i != lines.size(); ++i) {
+    painter.glyphs(font, style, origins[i],
+                   {lines[i].glyphs.data(), lines[i].glyphs.size()});
+  }
 }
 
 }  // namespace inkcell::tools

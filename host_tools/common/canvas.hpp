@@ -95,6 +95,18 @@ void draw_lines(const Font& font,
                 DrawStats* stats = nullptr,
                 int32_t rows = kStripRows);
 
+/// Whether a font has glyphs of several colours.
+bool has_layers(const Font& font);
+
+/// The same with those, over a picture of three channels that shows its
+/// background: other glyphs are drawn in `ink`, 0xRRGGBB.
+void draw_colours(const Font& font,
+                  const std::vector<Line>& lines,
+                  const Style& style,
+                  Point origin,
+                  uint32_t ink,
+                  Image& image);
+
 /// A position in px, rounded to 1/64. Throws std::runtime_error if it is not
 /// within +-16777215 px, so that the sum of two positions fits Q26_6.
 Point make_point(double x, double y);

@@ -82,6 +82,13 @@ void invert(Image& image) {
   }
 }
 
+void round_to_levels(Image& image, int levels) {
+  const int step = 255 / (levels - 1);
+  for (uint8_t& value : image.pixels) {
+    value = static_cast<uint8_t>((value + step / 2) / step * step);
+  }
+}
+
 std::string encode_png(const Image& image) {
   return encode_png(image.width, image.height, image.channels == 1,
                     image.pixels);

@@ -49,6 +49,9 @@ void paste(const Image& from, int x, int y, Image& to);
 /// 255 - value, everywhere.
 void invert(Image& image);
 
+/// As a display of so many levels stores them. [2, 4, 256]
+void round_to_levels(Image& image, int levels);
+
 /// Throws std::runtime_error, before work begins, for a name that write_image()
 /// would refuse: in a folder that does not exist, or with another suffix.
 void check_image_file(const std::filesystem::path& file, int channels);

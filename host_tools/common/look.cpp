@@ -95,6 +95,11 @@ LookOptions fill_in(LookOptions options, Use use) {
   return options;
 }
 
+// A strike alone: pictures, which take neither filters, effects nor fitting.
+bool has_pictures(const Font& font) {
+  return coding_name(font) == "strike";
+}
+
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& options) {
@@ -182,21 +187,19 @@ Look::Look(const LookOptions& asked,
               place_of(asked.place)),
       style_(make_style(px, angle, stroke_.outer)) {
   const LookOptions options = fill_in(asked, use);
-  require_reach(options, font);
+  if (!has_pictures(font)) {
+    require_reach(options, font);
+  }
   const bool is_plain = options.filter.empty() && options.weight == 0;
-  const bool is_strike = coding_name(font) == "strike";
   if (options.filter == kArea) {
     require_area(options, font);
     style_ = make_style(px, angle, kFilterArea);
-  } else if (is_plain && (is_as_display(options) || is_strike)) {
+  } else if (is_plain && (is_as_display(options) || has_pictures(font))) {
     style_ = make_style(px, angle, kFilterArea);  // the default of styles
   }
   set_effect(options, font, use);
-  if (is_strike && font.check(style_) != Status::ok) {
-    const std::string size = std::to_string(font.range().min_px);
-    throw std::runtime_error(
-        "this font has pictures of " + size + " px alone: take --px " + size +
-        " or a multiple, without --angle, --filter and effects");
+  if (has_pictures(font) && font.check(style_) != Status::ok) {
+    refuse_pictures(options, font, use);
   }
   if (font.check(style_) != Status::ok) {
     throw std::runtime_error(
@@ -205,6 +208,40 @@ Look::Look(const LookOptions& asked,
         "field");
   }
   set_hint(options, font, use);
+}
+
+void Look::refuse_pictures(const LookOptions& options,
+                           const Font& font,
+                           Use use) const {
+  const bool is_text = use == Use::text;
+  const std::string px = std::to_string(font.range().min_px);
+  const int32_t step = Q26_6::from_int(font.range().min_px).raw;
+  std::string size;
+  if (step == 0 || style_.size().raw % step != 0) {
+    size = std::string("take ") + (is_text ? "--px " : "size ") + px +
+           " or a multiple";
+  }
+  const struct {
+    bool is_given;
+    const char* name;
+  } others[] = {
+      {!style_.is_upright(), is_text ? "--angle" : "angle"},
+      {!options.filter.empty() && options.filter != kArea, "--filter"},
+      {options.weight != 0, "--weight"},
+      {options.outline != 0, "--outline"},
+      {options.lcd != "none", "--lcd"},
+      {!options.motion.empty(), "--motion"},
+      {options.rules != "none", "--rules"},
+      {options.samples != "one" && options.samples != "auto", "--samples"}};
+  std::string rest;
+  for (const auto& other : others) {
+    if (other.is_given) {
+      rest += (rest.empty() ? "leave out " : ", ") + std::string(other.name);
+    }
+  }
+  throw std::runtime_error("this font has pictures of " + px +
+                           " px alone: " + size +
+                           (size.empty() || rest.empty() ? "" : "; ") + rest);
 }
 
 void Look::require_reach(const LookOptions& options, const Font& font) const {
@@ -228,7 +265,8 @@ void Look::require_area(const LookOptions& options, const Font& font) {
         "--filter area draws outlines, and this font has cells: make it by "
         "inkcell-fontgen --coding outline");
   }
-  const bool has_levels = options.levels != 256 && !is_as_display(options);
+  const bool has_levels =
+      options.levels != 256 && !is_as_display(options) && !has_pictures(font);
   if (options.weight != 0 || options.outline != 0 || has_levels ||
       options.lcd != "none") {
     throw std::runtime_error(
@@ -256,7 +294,7 @@ void Look::set_effect(const LookOptions& options, const Font& font, Use use) {
   }
   if (options.outline != 0) {
     style_.set_effect(stroke_);
-  } else if (options.levels != 256) {
+  } else if (options.levels != 256 && !has_pictures(font)) {
     set_levels(options);
   } else if (options.lcd != "none") {
     set_lcd(options);
@@ -272,7 +310,7 @@ void Look::set_effect(const LookOptions& options, const Font& font, Use use) {
 void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   if (options.samples == "one" ||
       (options.samples == "auto" &&
-       (font.has_outlines() ||
+       (font.has_outlines() || has_pictures(font) ||
         (use != Use::moving && style_.size().raw >= kLeastForOne.raw)))) {
     return;
   }
@@ -362,9 +400,10 @@ void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   if (!font.has_outlines()) {
     if (!is_auto) {
       throw std::runtime_error(
-          "--hint " + options.hint +
-          " moves points of outlines, and this font has cells: make it by "
-          "inkcell-fontgen --coding outline");
+          "--hint " + options.hint + " moves points of outlines, and this " +
+          (has_pictures(font) ? "font has pictures: leave it out"
+                              : "font has cells: make it by inkcell-fontgen "
+                                "--coding outline"));
     }
     return;
   }

@@ -84,6 +84,9 @@ class Look {
   int blur_px() const { return blur_px_; }
 
  private:
+  [[noreturn]] void refuse_pictures(const LookOptions& options,
+                                    const Font& font,
+                                    Use use) const;
   void require_reach(const LookOptions& options, const Font& font) const;
   static void require_area(const LookOptions& options, const Font& font);
   void set_effect(const LookOptions& options, const Font& font, Use use);

@@ -2,12 +2,15 @@
 #include "census.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "bytes.hpp"
 #include "cells.hpp"
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/layers/verify.hpp"
+#include "inkcell/shaping/verify.hpp"
 #include "inkcell/strike/verify.hpp"
 #include "rom_file.hpp"
 
@@ -86,6 +89,29 @@ void take_strikes(const Font& font, FontCensus& census) {
                              " bits, " +
                              std::to_string(read_u16(entry + at::kGlyphs)) +
                              " glyphs, fit " + std::to_string(entry[at::kFit]));
+  }
+}
+
+void take_layers(const Font& font, FontCensus& census) {
+  namespace at = format::layers;
+  const Span<const uint8_t> layers = font.section(format::section::kLayers);
+  if (layers.size == 0 || verify_layers(font) != Status::ok) {
+    return;
+  }
+  census.layer_lists = static_cast<int>(read_u16(layers.data + at::kGlyphs));
+  const uint32_t colours = read_u16(layers.data + at::kColours);
+  const uint8_t* colour = layers.data + at::kBytes;
+  for (int i = 0; i < layers.data[at::kPalettes]; ++i) {
+    std::string palette;
+    for (uint32_t n = 0; n < colours; ++n, colour += at::kColourBytes) {
+      char text[12];
+      const int digits = colour[3] == 255 ? 7 : 9;
+      std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", colour[0],
+                    colour[1], colour[2], colour[3]);
+      palette += (n == 0 ? "" : " ") +
+                 std::string(text).substr(0, static_cast<size_t>(digits));
+    }
+    census.palettes.push_back(palette);
   }
 }
 
@@ -201,6 +227,12 @@ FontCensus take_census(const Font& font) {
   if (census.verified == Status::ok) {
     census.verified = verify_strikes(font);
   }
+  if (census.verified == Status::ok) {
+    census.verified = verify_shaping(font);
+  }
+  if (census.verified == Status::ok) {
+    census.verified = verify_layers(font);
+  }
   census.metrics = font.metrics();
   census.range = font.range();
   census.fixed_predicate = rom[format::header::kPredicate] ==
@@ -212,6 +244,7 @@ FontCensus take_census(const Font& font) {
   census.max_points = max_points(font);
   take_kerning(font, census);
   take_strikes(font, census);
+  take_layers(font, census);
   take_morphs(font, census);
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     census.glyphs.push_back(take_glyph(font, static_cast<uint16_t>(glyph)));

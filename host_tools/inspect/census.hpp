@@ -65,8 +65,10 @@ struct FontCensus {
   FontRange range;
   bool fixed_predicate = false;
   int morph_pairs = 0;
-  int masters = 0;                   // glyphs that are second masters
-  std::vector<std::string> strikes;  // "12 px, 1 bits, 96 glyphs, fit 2"
+  int masters = 0;                    // glyphs that are second masters
+  std::vector<std::string> strikes;   // "12 px, 1 bits, 96 glyphs, fit 2"
+  int layer_lists = 0;                // glyphs of several colours
+  std::vector<std::string> palettes;  // "#ffcc4d #ff000080"
   int left_classes = 0;
   int right_classes = 0;
   size_t header_bytes = 0;

@@ -392,6 +392,13 @@ std::string font_report(const FontCensus& font) {
   for (const std::string& strike : font.strikes) {
     append(out, "  strike          %s\n", strike.c_str());
   }
+  if (font.layer_lists != 0) {
+    append(out, "  colour glyphs   %d\n", font.layer_lists);
+  }
+  for (size_t i = 0; i < font.palettes.size(); ++i) {
+    append(out, "  palette %-8zu", i);
+    out += font.palettes[i] + "\n";
+  }
   append(out, "  kerning         %d left classes, %d right\n",
          font.left_classes, font.right_classes);
   if (font.morph_pairs != 0) {

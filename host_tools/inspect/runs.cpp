@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "inkcell/shaping/shaping.hpp"
+#include "inkcell/shaping/devanagari.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -19,8 +19,8 @@ void print_line(const Shaping& shaping,
   const Text text(line.data(), line.size());
   ScriptRun run = shaping.first_run(text, 0, text.size);
   run.end = text.size;
-  std::vector<RunGlyph> room(kGlyphsOfByte * line.size() + 1);
-  Span<RunGlyph> glyphs(room.data(), room.size());
+  std::vector<TextGlyph> room(kGlyphsOfByte * line.size() + 1);
+  Span<TextGlyph> glyphs(room.data(), room.size());
   const Status status = shaping.shape(text, run, glyphs);
   if (status != Status::ok) {
     throw std::runtime_error(place + ": cannot be shaped, status " +
@@ -28,7 +28,7 @@ void print_line(const Shaping& shaping,
   }
   std::printf("[");
   for (size_t i = 0; i < glyphs.size; ++i) {
-    const RunGlyph& glyph = glyphs[i];
+    const TextGlyph& glyph = glyphs[i];
     std::printf(
         "%s{\"glyph\":%d,\"cluster\":%d,\"x\":%d,\"y\":%d,\"advance\":%d}",
         i == 0 ? "" : ",", glyph.glyph, glyph.cluster, glyph.x, glyph.y,
@@ -41,7 +41,7 @@ void print_line(const Shaping& shaping,
 
 void print_runs(const Font& font, const std::string& file) {
   Shaping shaping;
-  const Status status = Shaping::open(font, shaping);
+  const Status status = Shaping::open(font, kDevanagari, shaping);
   if (status != Status::ok) {
     throw std::runtime_error(
         status == Status::unsupported

@@ -2,22 +2,16 @@
 // fetched from where it lies.
 import {$} from './dom.mjs';
 
-const LEAST = 33;  // the first of 92 characters from '!' on, without '<' and '\\'
-
 /**
- * Bytes of base 92: two characters are thirteen bits, the highest first.
+ * Bytes of characters that are seven bits each, the lowest first.
  * @param {string} text
  */
-function ofBase92(text) {
-  const bytes = new Uint8Array(text.length / 2 * 13 >> 3);
-  const digit = (/** @type {number} */ at) => {
-    const code = text.charCodeAt(at);
-    return code - LEAST - Number(code > 60) - Number(code > 92);
-  };
+function ofSevenBits(text) {
+  const bytes = new Uint8Array(text.length * 7 >> 3);
   let bits = 0;
-  for (let i = 0, count = 0, at = 0; i < text.length; i += 2) {
-    bits = bits << 13 | digit(i) * 92 + digit(i + 1);
-    for (count += 13; count >= 8; bytes[at++] = bits >> count) count -= 8;
+  for (let i = 0, count = 0, at = 0; i < text.length; ++i) {
+    bits |= (text.charCodeAt(i) & 127) << count;
+    for (count += 7; count >= 8; count -= 8, bits >>= 8) bytes[at++] = bits;
   }
   return bytes;
 }
@@ -30,7 +24,7 @@ export async function part(name) {
     if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
     return new Uint8Array(await answer.arrayBuffer());
   }
-  const packed = ofBase92(inside.textContent).subarray(0, Number(inside.dataset.bytes));
+  const packed = ofSevenBits(inside.textContent).subarray(0, Number(inside.dataset.bytes));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -23,7 +23,7 @@ READY = ROOT / "build/release-fonts"
 TABLE = json.loads((ROOT / "host_tools/release/fonts.json").read_text())
 
 DEVICE = ("LICENSE", "core", ":(glob)port/c/*.*", "port/display/c_api.txt",
-          *(f"port/{part}/{kind}" for part in ("display", "pixel")
+          *(f"port/{part}/{kind}" for part in ("display", "lvgl", "pixel")
             for kind in ("include", "src")))
 OF_CMAKE = (*DEVICE, "port/libraries.cmake", "port/libraries.kconfig",
             "fonts_gen/cmake")
@@ -47,8 +47,8 @@ class Archive(typing.NamedTuple):
 ARCHIVES = {
     "library": Archive("CMake, Make and Meson", "inkcell", (
         *OF_CMAKE, "CMakeLists.txt", "meson.build", "meson_options.txt", "fonts_gen",
-        "port/CMakeLists.txt", "port/pixel", "port/display", "port/c", "port/make",
-        "port/meson"), "hpp", "core/include/fonts", True),
+        "port/CMakeLists.txt", "port/pixel", "port/display", "port/c", "port/lvgl",
+        "port/make", "port/meson", "port/rust"), "hpp", "core/include/fonts", True),
     "arduino": Archive("Arduino", "Inkcell", (), "hpp", "src/fonts"),
     "platformio": Archive("PlatformIO", "Inkcell", OF_PLATFORMIO, "hpp",
                           "core/include/fonts"),
@@ -137,6 +137,13 @@ def make_archive(release, name):
         add_files(top, archive.files)
     else:
         run(sys.executable, "-B", "port/arduino/pack.py", top)
+        ready_fonts()  # has the generator built
+        for font, chars in (("sans_11", "0x20-0x7E"), ("digits_24", "0x30-0x39")):
+            run(TOOLS / "fonts_gen/inkcell-fontgen", "--quiet", f"--chars={chars}",
+                "--font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                "--strike-only", f"--strike={font[-2:]}:1", f"--name={font}",
+                "--format=hpp",
+                f"--out={top}/examples/Adafruit_SSD1306_Strikes/{font}.h")
     if archive.for_c:
         run(sys.executable, "-B", "port/c/make_api.py", top / "port/c")
     table = add_fonts(archive.form, top / archive.fonts, top / "licences")

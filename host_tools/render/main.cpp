@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "canvas.hpp"
@@ -62,7 +63,8 @@ void add_placement(CLI::App& app, Arguments& arguments) {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", arguments.font,
-                 "ROM font, or TTF, OTF, WOFF or WOFF2 to convert in memory")
+                 "ROM font, or TTF, OTF, WOFF, WOFF2, BDF, PCF or hex, which "
+                 "are converted in memory")
       ->type_name("FILE");
   app.add_option("--run-time", arguments.run_time,
                  "Instead of --font: a TrueType file that is drawn as it is,\n"
@@ -80,7 +82,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option(
          "--out", arguments.out,
          "The picture, .png or .pgm: 255 is full ink; with --lcd .png or "
-         ".ppm")
+         ".ppm; .png in colours if glyphs of the font have layers")
       ->type_name("FILE");
   add_look_options(app, arguments.look);
   add_placement(app, arguments);
@@ -258,6 +260,9 @@ void print_stats(const DrawStats& stats,
 
 // Other sizes are drawn, but without a tested accuracy.
 void warn_of_size(const Font& font, double px) {
+  if (coding_name(font) == "strike") {
+    return;  // pictures are the same at each size that they have
+  }
   const FontRange range = font.range();
   if (px < range.min_px || px > range.max_px) {
     std::fprintf(
@@ -267,13 +272,27 @@ void warn_of_size(const Font& font, double px) {
   }
 }
 
-// As a display of few levels stores them: text that is fitted as there covers
-// pixels in part.
-void round_to_levels(Image& image, int levels) {
-  const int step = 255 / (levels - 1);
-  for (uint8_t& value : image.pixels) {
-    value = static_cast<uint8_t>((value + step / 2) / step * step);
+// Whether the picture shows the colours of glyphs that have several.
+bool shows_colours(const Arguments& arguments, const Font& font) {
+  return has_layers(font) && arguments.look.lcd == "none" &&
+         arguments.look.levels == 256 && !arguments.stats &&
+         std::filesystem::path(arguments.out).extension() != ".pgm";
+}
+
+// White on black, or the other way around.
+Image colour_picture(const Arguments& arguments,
+                     const Font& font,
+                     const std::vector<Line>& lines,
+                     const Style& style,
+                     const Placement& placement) {
+  constexpr uint32_t kWhite = 0xffffff;
+  Image image(placement.width, placement.height, 3);
+  if (arguments.inverted) {
+    invert(image);
   }
+  draw_colours(font, lines, style, placement.origin,
+               arguments.inverted ? 0 : kWhite, image);
+  return image;
 }
 
 void render_text(const Arguments& arguments, const Conversion& conversion) {
@@ -307,6 +326,13 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
     throw std::runtime_error(
         "--zoom makes the picture larger than 32767 px, the largest one");
   }
+  if (shows_colours(arguments, font)) {
+    const Image image =
+        colour_picture(arguments, font, lines, style, placement);
+    write_image(arguments.out,
+                arguments.zoom == 1 ? image : enlarge(image, arguments.zoom));
+    return;
+  }
   Image image(placement.width, placement.height, look.channels());
   DrawStats stats;
   const auto begin = std::chrono::steady_clock::now();
@@ -320,9 +346,7 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
     add_samples(image, look, total);
     print_samples(total);
   }
-  if (arguments.look.levels != 256) {
-    round_to_levels(image, arguments.look.levels);
-  }
+  round_to_levels(image, arguments.look.levels);
   if (arguments.inverted) {
     invert(image);
   }

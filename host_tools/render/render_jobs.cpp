@@ -297,6 +297,7 @@ SampleTotal render(const RenderJob& job,
              make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   SampleTotal total;
   add_samples(image, look, total);
+  round_to_levels(image, options.levels);
   if (inverted) {
     invert(image);
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "inkcell/strike/strike.hpp"
 #include "page.hpp"
 #include "screen_memory.hpp"
 
@@ -21,8 +22,10 @@ int main(int argc, char** argv) {
   std::ifstream file(arguments[0], std::ios::binary);
   const std::vector<uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
   inkcell::Font font;
-  if (inkcell::Font::open({bytes.data(), bytes.size()}, font) !=
-      inkcell::Status::ok) {
+  const inkcell::Span<const uint8_t> rom = {bytes.data(), bytes.size()};
+  if (inkcell::Font::open(rom, font) != inkcell::Status::ok &&
+      inkcell::Font::open(rom, inkcell::kStrikeCoding, font) !=
+          inkcell::Status::ok) {
     std::cerr << arguments[0] << ": does not open\n";
     return 1;
   }

@@ -28,6 +28,7 @@ from png_bytes import png  # noqa: E402
 # Ends a firmware that hangs before its first frame. [s]
 READY_TIMEOUT = 1200
 RUNNER = ROOT / "boards/common/qemu_run.sh"
+NOTICES = ROOT / "host_tools/screens/notices.txt"
 
 
 class Failure(Exception):
@@ -77,8 +78,9 @@ def compare(shown, expected):
 
 def firmware(screen, picture):
     """The name of the program that shows a picture on a board."""
-    name = {"scene": "demo", "pattern": "pattern", "page": "page"}.get(
-        picture, f"motion_{picture}")
+    name = {"scene": "demo", "pattern": "pattern", "page": "page",
+            "unifont": "page", "face": "face", "notice": "notice"}.get(
+                picture, f"motion_{picture}")
     return f"{name}_{screen['format']}"
 
 
@@ -141,14 +143,32 @@ def screendump(monitor_path, path):
         command("quit")
 
 
-def insert_card(screen, folder):
-    """QEMU's options for a card that holds the font of pages."""
+def insert_card(font, folder):
+    """QEMU's options for a card that holds a font."""
     card = f"{folder}/card.img"
-    shutil.copy(screen["page"][2], card)
+    shutil.copy(font, card)
     # QEMU wants a power of two.
     size = max(os.path.getsize(card), 1 << 20)
     os.truncate(card, 1 << (size - 1).bit_length())
     return f"-drive if=sd,format=raw,file={card}"
+
+
+def notices(frame):
+    """Lines for the serial line: notices in some scripts."""
+    lines = NOTICES.read_text(encoding="utf-8").split("\n\n")
+    return [line + "\n" for line in lines[frame].splitlines()]
+
+
+def send(lines):
+    """Sends lines to the firmware, each when it is READY."""
+    def wait(process):
+        output = wait_until_ready(process)
+        for line in lines:
+            process.stdin.write(line.encode())
+            process.stdin.flush()
+            output += wait_until_ready(process)
+        return output
+    return wait
 
 
 def shoot(screen, picture, frame, folder):
@@ -157,10 +177,11 @@ def shoot(screen, picture, frame, folder):
         screen["build"],
         f"boards/common/demo/{firmware(screen, picture)}.elf")
     flags = screen["flags"]
-    if picture == "page":
-        flags += " " + insert_card(screen, folder)
+    if picture in screen["cards"]:
+        flags += " " + insert_card(screen["cards"][picture][-1], folder)
+    wait = send(notices(frame)) if picture == "notice" else wait_until_ready
     return run_and_shoot([screen["board"], program, f"frame={frame}"], flags,
-                         wait_until_ready, folder)
+                         wait, folder)
 
 
 def run_and_shoot(words, flags, wait, folder):
@@ -171,7 +192,7 @@ def run_and_shoot(words, flags, wait, folder):
     flags = f"-qmp unix:{monitor},server=on,wait=off {flags}"
     with subprocess.Popen(
             [RUNNER, *words], env={**os.environ, "INKCELL_QEMU_FLAGS": flags},
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT) as process:
         try:
             output = wait(process)
@@ -188,8 +209,12 @@ def render(screen, picture, frame, folder):
     path = f"{folder}/expected.ppm"
     if picture in screen["motion_hosts"]:
         command = [screen["motion_hosts"][picture], str(frame)]
-    elif picture == "page":
-        command = [*screen["page"][:2], str(frame)]
+    elif picture == "notice":
+        text = pathlib.Path(folder, "notices.txt")
+        text.write_text("".join(notices(frame)), encoding="utf-8")
+        command = [screen["notice_host"], text]
+    elif picture in screen["cards"]:
+        command = [*screen["cards"][picture][:2], str(frame)]
     else:
         frames = [str(frame)] if picture == "scene" else []
         command = [screen["host"], picture, *frames]
@@ -219,7 +244,8 @@ def check(screen, picture, frame, save):
 
 def pictures(screen):
     """The names of the pictures that a display shows."""
-    return ["scene", *screen["motion_hosts"], *(["page"] * bool(screen["page"])),
+    notice = ["notice"] if screen["notice_host"] else []
+    return ["scene", *screen["motion_hosts"], *screen["cards"], *notice,
             "pattern"]
 
 
@@ -230,7 +256,8 @@ def main():
     parser.add_argument("--board", help="only this one")
     parser.add_argument("--format", help="only displays of this format")
     parser.add_argument("--picture",
-                        help="scene, pattern, page, or a scene that moves")
+                        help="scene, pattern, page, unifont, face, notice, or a "
+                        "scene that moves")
     parser.add_argument("--frame", type=int, action="append",
                         help="of the scene; may be repeated [0]")
     parser.add_argument("--save", type=pathlib.Path, metavar="DIR",

@@ -208,6 +208,23 @@ class Animate(FolderCase):
                 self.assertGreater(least, 1 - most, (size, what))
                 self.assertLess(greatest, 1 + most, (size, what))
 
+    def test_words_of_a_wipe_do_not_overlap(self):
+        """No pixel has light of both inks, beyond an edge of 2 px."""
+        out, _ = self.play("wipe", "w.png", "--from", 1.4, size="320x240",
+                           frames=1)
+        frame, = frames_of(out.read_bytes())
+        pixels = [frame[i:i + 3] for i in range(0, len(frame), 3)]
+        warm = [i % 320 for i, (r, _, b) in enumerate(pixels) if r > b + 20]
+        cold = [i % 320 for i, (r, _, b) in enumerate(pixels) if b > r + 40]
+        self.assertLessEqual(max(cold), min(warm) + 2)
+
+    def test_splash_begins_in_motion(self):
+        """And moves for more than half of the time."""
+        out, stats = self.play("splash", "s.png", frames=301)
+        frames = frames_of(out.read_bytes())
+        self.assertNotEqual(frames[0], frames[1])
+        self.assertLess(stats["still_frames"], 150)
+
     def test_the_vortex_stays_on_the_screen(self):
         """Its ground as well, on screens of any size."""
         for text, width, height in (("eg", 160, 120), ("S", 640, 480)):
@@ -230,6 +247,7 @@ class Animate(FolderCase):
         pieces = [pieces_of(frame, 320) for frame in frames]
         self.assertEqual(pieces[0], 1)
         self.assertEqual(pieces[-1], 1)
+        self.assertEqual(frames[-1], frames[0])
         self.assertGreaterEqual(max(pieces), 3)
         ground = frames[0][:3]
         for frame in frames:
@@ -280,6 +298,11 @@ class Animate(FolderCase):
         frames = frames_of(out.read_bytes())
         self.assertEqual(frames[0], frames[300])
         self.assertEqual(frames[140], frames[150])  # the second word rests
+        # The puddle is level: its upper edge is one row, but for its ends.
+        rows = [[frames[77][384 * y + 3 * x:384 * y + 3 * x + 3] != frames[0][:3]
+                 for x in range(24, 104)] for y in range(64)]
+        self.assertTrue(any(map(all, rows)))
+        self.assertLessEqual(sum(any(r) and not all(r) for r in rows), 1)
         self.assertNotEqual(frames[0], frames[150])
         self.assertEqual(stats["missed_pixels"], 0)
         self.assertGreater(stats["still_frames"], 50)

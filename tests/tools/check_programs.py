@@ -235,6 +235,29 @@ class Tools(FolderCase):
                 for weight in (-0.4, -0.2, 0, 0.2, 0.35, 0.5)]
         self.assertEqual(inks, sorted(set(inks)))
 
+    def test_fonts_of_pictures(self):
+        font = self.path / "pictures.bin"
+        run("fontgen", "--font", SANS, "--symbols", "Vol", "--strike", "12:1",
+            "--strike-only", "--quiet", "--out", font)
+        out = self.path / "pictures.pgm"
+        draw = ("render", "--font", font, "--text", "Vol", "--out", out)
+        self.assertEqual(run(*draw, "--px", 12), "")
+        pixels = Pgm(out).pixels
+        self.assertEqual(set(pixels), {0, 255})
+        for hint in (), ("--hint", "display"), ("--hint", "auto"):
+            run(*draw, "--px", 12, "--levels", 2, *hint)
+            self.assertEqual(Pgm(out).pixels, pixels)
+        self.assertEqual(run(*draw, "--px", 24), "")
+        self.assertEqual(Pgm(out).ink(), 4 * sum(pixels))
+        for said, *options in (
+                ("alone: take --px 12 or a multiple\n", "--px", 18),
+                ("alone: leave out --angle, --filter\n", "--px", 12,
+                 "--levels", 2, "--angle", 9, "--filter", "text"),
+                ("multiple; leave out --outline\n", "--px", 8, "--outline", 2),
+                ("this font has pictures: leave it out\n", "--px", 12,
+                 "--hint", "both")):
+            self.refused(said, *draw, *options)
+
     def test_sub_pixels(self):
         out = self.path / "out.ppm"
         box = ("--font", self.font, "--text", "Vol", "--px", 13.3, "--width",

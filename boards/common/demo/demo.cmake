@@ -140,12 +140,58 @@ endfunction()
 
 # inkcell_add_page(<name>)
 #
-# <name>_page: pages of Chinese, on what <name>_pattern draws on. Their font is
-# no part of it.
+# <name>_page: pages of Chinese, and <name>_face: a face at some sizes, on what
+# <name>_pattern draws on. Their fonts are no part of them.
 function(inkcell_add_page name)
-  add_library(${name}_page STATIC ${INKCELL_DEMO_DIR}/page.cpp)
-  target_link_libraries(${name}_page
+  foreach(picture page face)
+    add_library(${name}_${picture} STATIC ${INKCELL_DEMO_DIR}/${picture}.cpp)
+    target_link_libraries(${name}_${picture}
+      PUBLIC ${name}_pattern
+      PRIVATE inkcell::layout)
+    target_compile_options(${name}_${picture} PRIVATE ${INKCELL_WARNINGS})
+  endforeach()
+endfunction()
+
+# Fonts of notices, in the order of notice.cpp: name, file below the folder of
+# Debian's fonts, script of SHAPE, characters.
+set(INKCELL_NOTICE_FOLDER /usr/share/fonts/truetype)
+set(INKCELL_NOTICE_FONTS
+  "latin noto/NotoSans-Regular.ttf latn \
+0x20-0x7E,0xA0-0x17F,0x1A0-0x1B0,0x300-0x303,0x309,0x31B,0x323,0x1EA0-0x1EF9,0x2010-0x2026,0x20AB"
+  "arabic noto/NotoNaskhArabic-Regular.ttf arab \
+0x20,0x60C,0x61B,0x61F,0x621-0x655,0x660-0x66C,0x670,0x67E,0x686,0x698,0x6A9,0x6AF,0x6CC"
+  "devanagari lohit-devanagari/Lohit-Devanagari.ttf deva 0x20,0x900-0x97F"
+  "hebrew noto/NotoSansHebrew-Regular.ttf hebr 0x20,0x5B0-0x5BC,0x5BE,0x5C1-0x5C2,0x5D0-0x5EA"
+  "thai noto/NotoSansThai-Regular.ttf thai 0x20,0xE01-0xE3A,0xE3F-0xE5B")
+
+# Whether this machine has their files.
+set(INKCELL_HAS_NOTICES ON)
+foreach(font ${INKCELL_NOTICE_FONTS})
+  separate_arguments(font)
+  list(GET font 1 file)
+  if(NOT EXISTS ${INKCELL_NOTICE_FOLDER}/${file})
+    message(STATUS "Notices are left out: there is no ${INKCELL_NOTICE_FOLDER}/${file}")
+    set(INKCELL_HAS_NOTICES OFF)
+  endif()
+endforeach()
+
+# inkcell_add_notice(<name>)
+#
+# <name>_notice: notices of several scripts, on what <name>_pattern draws on.
+function(inkcell_add_notice name)
+  if(NOT TARGET inkcell_notice_fonts)
+    add_library(inkcell_notice_fonts INTERFACE)
+    foreach(font ${INKCELL_NOTICE_FONTS})
+      separate_arguments(font)
+      list(POP_FRONT font id file script chars)
+      inkcell_add_font(inkcell_notice_fonts NAME notice_${id}
+        FONT ${INKCELL_NOTICE_FOLDER}/${file} SHAPE ${script} CHARS ${chars}
+        NO_LAYOUT_GLYPHS MIN_PX 16 MAX_PX 18)
+    endforeach()
+  endif()
+  add_library(${name}_notice STATIC ${INKCELL_DEMO_DIR}/notice.cpp)
+  target_link_libraries(${name}_notice
     PUBLIC ${name}_pattern
-    PRIVATE inkcell::layout)
-  target_compile_options(${name}_page PRIVATE ${INKCELL_WARNINGS})
+    PRIVATE inkcell::layout inkcell_notice_fonts)
+  target_compile_options(${name}_notice PRIVATE ${INKCELL_WARNINGS})
 endfunction()

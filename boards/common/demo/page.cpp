@@ -4,6 +4,7 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/layout/layout.hpp"
 #include "inkcell/painter.hpp"
+#include "page_scripts.hpp"
 
 namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
@@ -19,8 +20,8 @@ constexpr const char* kTexts[kPages] = {
     u8"一丁乙亿佛凸凹匪厨叠吨噪园埠墨夔姊嬴孵寇岛嶙巢幢弊彝憋"
     u8"扑抉撼斋曙朽椿檬歌氮淆澜灶熨牍獠玺"};
 
-constexpr Q26_6 kSize = Q26_6::from_int(12);
-constexpr int32_t kLine = 12;  // [px], a multiple of which baselines are
+// Of fonts of outlines. [px]
+constexpr int32_t kOutlinePx = 12;
 
 // A line has at most as many glyphs as pixels in a row.
 PositionedGlyph room[kWidth];
@@ -40,12 +41,20 @@ bool has_all(const Font& font, Text text) noexcept {
 }  // namespace
 
 Status show_page(const Font& font, uint32_t page) noexcept {
-  Style style(kSize, kFilterText);
+  // Lines of pixel fonts begin below their ascent, others on every 12th row.
+  const bool has_outlines = font.has_outlines();
+  const int32_t px = has_outlines ? kOutlinePx : font.range().min_px;
+  const int32_t first =
+      has_outlines ? px : font.metrics().ascender * px / font.units_per_em();
+  Style style(Q26_6::from_int(px), has_outlines ? kFilterText : kFilterArea);
   Fit fit;
-  INKCELL_TRY(Fit::make(font, style, {}, fit));
-  style.set_fit(fit);
+  if (has_outlines) {
+    INKCELL_TRY(Fit::make(font, style, {}, fit));
+    style.set_fit(fit);
+  }
   const LayoutOptions options(font, style);
-  const Text text = kTexts[page % kPages];
+  const bool is_scripts = !has_outlines && page % (kPages + 1) == kPages;
+  const Text text = is_scripts ? kScripts : kTexts[page % kPages];
   const Strip strip = {{buffer, sizeof buffer},
                        0,
                        0,
@@ -57,9 +66,9 @@ Status show_page(const Font& font, uint32_t page) noexcept {
   const Q26_6 width = Q26_6::from_int(kWidth);
   bool is_whole = true;
   TextLine line;
-  for (int32_t y = kLine;
+  for (int32_t y = first;
        y <= kHeight && next_line(options, painter, text, width, line);
-       y += kLine) {
+       y += px) {
     Span<const PositionedGlyph> glyphs;
     INKCELL_TRY(lay_out(options, painter, text, line, width, room, glyphs));
     painter.glyphs(font, style, {Q26_6::from_int(0), Q26_6::from_int(y)},

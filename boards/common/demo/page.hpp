@@ -1,5 +1,6 @@
 // Pages of Chinese, from a font in any memory: on a board from its card, and on
-// the host from a file. Both show the same.
+// the host from a file. Both show the same. A pixel font, which is one of
+// strikes alone, shows them at its size, and one of many scripts behind them.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +12,8 @@
 namespace inkcell::demo {
 inline namespace INKCELL_DEMO_NAME {
 
-/// How many pages there are; the numbers of others are taken modulo this.
+/// How many pages there are, with a pixel font one more; the numbers of others
+/// are taken modulo that.
 inline constexpr uint32_t kPages = 3;
 
 /// Draws a page and passes it on to board::display_write(). Lines are laid out

@@ -1,5 +1,5 @@
 // A firmware that shows a page of Chinese. Its font is on the board's card,
-// from the first byte on: no file system.
+// from the first byte on: no file system. It has outlines, or strikes alone.
 //
 // Arguments: frame=N shows page N, and says what was read for it. READY on the
 // console says that it is on the screen.
@@ -8,6 +8,7 @@
 #include "card.hpp"
 #include "display.hpp"
 #include "inkcell/stored/stored_font.hpp"
+#include "inkcell/strike/strike.hpp"
 #include "page.hpp"
 
 namespace {
@@ -47,8 +48,11 @@ bool show(uint32_t page) noexcept {
     return fail("the card does not answer: status ", card);
   }
   StoredFont stored;
-  const Status opened =
-      StoredFont::open({board::card_read, nullptr}, ram, stored);
+  const inkcell::Storage storage = {board::card_read, nullptr};
+  Status opened = StoredFont::open(storage, ram, stored);
+  if (opened == Status::unsupported) {
+    opened = StoredFont::open(storage, ram, inkcell::kStrikeCoding, stored);
+  }
   if (opened != Status::ok) {
     return fail("the card does not hold a font: status ", opened);
   }

@@ -7,19 +7,11 @@ using motion::Clock;
 
 constexpr uint32_t kBackground = 0x0b0f16;
 constexpr uint32_t kInk = 0xffd9a0;
-constexpr uint32_t kHotInk = 0xffffff;
-constexpr uint32_t kGlow = 0xa8501a;
 constexpr uint32_t kColonInk = 0xff8f3c;
 
 constexpr uint32_t kMinutes = 4;  // then the first one again
 constexpr uint32_t kMinuteFrames = kLoopFrames / kMinutes;
 constexpr uint32_t kRestFrames = 30;  // before a change
-
-// The glow around digits of large screens.
-constexpr Filter kGlowFilter =
-    make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(1024),
-                 Fixed<uint16_t, 8>::from_int(2)});
-constexpr int32_t kGlowFromPx = 60;
 
 // Takes up to two digits off a text.
 bool read_number(Text& text, size_t least, uint32_t& out) noexcept {
@@ -71,15 +63,7 @@ void ClockScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
   clock_.draw_colons(painter(paper, kColonInk));
   for (int32_t i = 0; i < clock_.digits(); ++i) {
-    // Hot at half the progress.
-    const int32_t part = clock_.progress(i).raw;
-    const auto heat =
-        static_cast<int32_t>(int64_t{part} * (65536 - part) >> 22);  // to 256
-    if (heat > 0 && style().size().raw >= kGlowFromPx * 64) {
-      clock_.draw_digit(painter(paper, mix_rgb(kBackground, kGlow, heat)),
-                        Style(style().size(), kGlowFilter), i);
-    }
-    clock_.draw_digit(painter(paper, mix_rgb(kInk, kHotInk, heat)), style(), i);
+    clock_.draw_digit(painter(paper, kInk), style(), i);
   }
 }
 

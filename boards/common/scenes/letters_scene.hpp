@@ -46,8 +46,8 @@ class LettersScene : public TextScene {
       gone.scale_x = gone.scale_y = Scale::from_raw(2600);
       keys_[0] = {0, Pose(), kLeave};
       keys_[1] = {600, gone, {}};
-      keys_[2] = {1300, gone, kOvershoot};
-      keys_[3] = {1900, Pose(), {}};
+      keys_[2] = {900, gone, kOvershoot};
+      keys_[3] = {1500, Pose(), {}};
       motion_.keys = keys_;
     }
     motion_.timing = {0, time_of(kFrames), 0};
@@ -82,11 +82,10 @@ class LettersScene : public TextScene {
     return kInk[static_cast<int>(kLetters)];
   }
 
-  static constexpr uint32_t kFrames =
-      kLetters == Letters::splash ? kLoopFrames / 2 : kLoopFrames / 4;
-  // All letters are in a later round, some at rest.
+  static constexpr uint32_t kFrames = kLoopFrames / 4;
+  // All letters are in a later round: some at rest; of splash, on their way in.
   static constexpr int32_t kStartMs =
-      kLetters == Letters::splash ? 13000 : 5000;
+      kLetters == Letters::splash ? 4 * time_of(kFrames) + 1270 : 5000;
 
  private:
   motion::RunGlyph glyphs_[24];

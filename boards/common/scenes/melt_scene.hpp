@@ -1,8 +1,11 @@
-// Scene `melt`: a word melts into a puddle, out of which another one freezes.
+// Scene `melt`: a word melts into a puddle, which levels; another word freezes
+// out of it from below.
 #pragma once
 
+#include "inkcell/motion/easing.hpp"
 #include "inkcell/motion/grid_blend.hpp"
 #include "inkcell/motion/grid_draw.hpp"
+#include "inkcell/motion/numbers.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "inkcell/simulation/melt.hpp"
 #include "inkcell/simulation/redistance.hpp"
@@ -11,8 +14,7 @@
 namespace inkcell::scenes {
 
 /// A simulation: set_frame() steps as often as needed, from the start if it
-/// goes back. Letters grow from their feet; parts without feet, such as dots,
-/// appear at last.
+/// goes back.
 class MeltScene : public TextScene {
  public:
   static constexpr const char* kText = "COLD MELT";
@@ -63,7 +65,7 @@ class MeltScene : public TextScene {
   void draw(const Paper& paper) const noexcept {
     const int32_t now = phase();
     const int32_t melted = motion::fraction(kMelts, kFreezes, now).raw;
-    const int32_t frozen = motion::fraction(kFreezes, kSets, now).raw;
+    const int32_t frozen = motion::fraction(kFreezes, kRests, now).raw;
     const uint32_t ink = mix_rgb(0xe4f4ff, 0x3d9be0, (melted - frozen) >> 8);
     paper.fill(0x08121e);
     if (is_at_rest()) {
@@ -78,9 +80,9 @@ class MeltScene : public TextScene {
   using Grid = motion::DistanceGrid;
   static constexpr int32_t kHalf = kLoopFrames / 2;
   static constexpr int32_t kMelts = 24;
-  static constexpr int32_t kFreezes = 84;
-  static constexpr int32_t kSets = 126;  // whatever is missing appears
-  static constexpr int32_t kRests = 138;
+  static constexpr int32_t kLevels = 66;
+  static constexpr int32_t kFreezes = 78;
+  static constexpr int32_t kRests = 126;
 
   int32_t phase() const noexcept {
     return static_cast<int32_t>(step_ % static_cast<uint32_t>(kHalf));
@@ -115,24 +117,77 @@ class MeltScene : public TextScene {
     }
     if (now == kMelts) {
       how_.area = grids_[0].area();
-      static_cast<void>(paint(1 - index(), grids_[2]));  // open() has tried
     }
-    if (now < kFreezes) {
+    if (now < kLevels) {
       const int32_t since = now - kMelts;
       how_.speed_q8 = since < 20 ? since * 7 : 140;
       simulation::melt(grids_[0], how_, scratch_);
+    } else if (now < kFreezes) {
+      if (now == kLevels) {
+        grids_[2].clear();
+        freeze_to(grids_[2], Q16_16());
+      }
+      simulation::freeze(grids_[0], grids_[2], 18);
     } else {
-      simulation::freeze(grids_[0], grids_[2], now < kSets ? 12 : 24);
+      if (now == kFreezes) {
+        static_cast<void>(paint(1 - index(), grids_[2]));  // open() has tried
+      }
+      freeze_to(grids_[0],
+                motion::ease(motion::kEaseInOut,
+                             motion::fraction(kFreezes - 1, kRests, now)));
+      return;
     }
-    if (now < kSets) {
-      simulation::redistance(grids_[0], grids_[1]);
-      const Grid swap = grids_[0];
-      grids_[0] = grids_[1];
-      grids_[1] = swap;
+    simulation::redistance(grids_[0], grids_[1]);
+    const Grid swap = grids_[0];
+    grids_[0] = grids_[1];
+    grids_[1] = swap;
+  }
+
+  // The greater of two, or the smaller of their negatives, rounded where they
+  // are nearer than `wide`.
+  static int32_t round_max(int32_t a, int32_t b, int32_t wide) noexcept {
+    const int32_t apart = a > b ? a - b : b - a;
+    const int32_t more =
+        apart >= wide ? 0 : (wide - apart) * (wide - apart) / (4 * wide);
+    return (a > b ? a : b) + more;
+  }
+  static int32_t round_min(int32_t a, int32_t b, int32_t wide) noexcept {
+    return -round_max(-a, -b, wide);
+  }
+
+  // The word of the last grid up to a level that rises, and the puddle that it
+  // rises from. [1/32 of a sample]
+  void freeze_to(Grid& out, Q16_16 part) const noexcept {
+    constexpr int32_t kRound = 96;
+    const Grid& word = grids_[2];
+    const int32_t width = out.width();
+    const int32_t half = width * 14;
+    const int32_t deep = how_.area * 16 / (28 * (width < 1 ? 1 : width));
+    const int32_t depth = motion::lerp(deep, -kRound, part);
+    const int32_t shift = out.scale_log2() + 1;
+    const auto height_of = [&](int32_t y) {
+      return (how_.floor.raw - ((2 * y + 1) << (shift + 4))) >> shift;
+    };
+    const int32_t level = motion::lerp(
+        deep - kRound, height_of(word.known_box().y0) + kRound, part);
+    for (int32_t y = 0; y < out.height(); ++y) {
+      const int32_t height = height_of(y);
+      int8_t* const row = out.row(y);
+      for (int32_t x = 0; x < width; ++x) {
+        const int32_t across = (2 * x + 1 - width) * 16;
+        const int32_t beside = half - (across < 0 ? -across : across);
+        const int32_t puddle = round_min(depth - height, beside, kRound);
+        const int32_t risen = round_min(word.row(y)[x], level - height, kRound);
+        int32_t both = round_max(puddle, risen, motion::lerp(kRound, 1, part));
+        both = both < height ? both : height;
+        row[x] = static_cast<int8_t>(both < INT8_MIN   ? INT8_MIN
+                                     : both > INT8_MAX ? INT8_MAX
+                                                       : both);
+      }
     }
   }
 
-  Grid grids_[3];  // the shape; scratch; the next word
+  Grid grids_[3];  // the shape; scratch; the puddle at rest or the next word
   motion::GridHistogram scratch_;
   simulation::Melting how_;
   uint32_t step_ = 0;

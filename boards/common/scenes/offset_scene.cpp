@@ -151,6 +151,20 @@ void OffsetScene::pull_from_afar(int32_t strength_q10) noexcept {
   }
 }
 
+// Particles that leave a straight edge do not fly in a row.
+void OffsetScene::scatter(int32_t most_q10) noexcept {
+  for (size_t i = 0; i < particles_.size; ++i) {
+    Particle& p = particles_[i];
+    const uint32_t random = hash(frame_, static_cast<uint32_t>(i));
+    const auto part = [&](uint32_t shift) {
+      return (static_cast<int32_t>(random >> shift & 255) - 128) * most_q10 /
+             128;
+    };
+    p.x_speed_q10 = speed(p.x_speed_q10 + part(0));
+    p.y_speed_q10 = speed(p.y_speed_q10 + part(8));
+  }
+}
+
 void OffsetScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kBreath;
@@ -165,7 +179,10 @@ void OffsetScene::step() noexcept {
   rules.kept_q16 = 62500;
   rules.attraction_q10 = static_cast<int16_t>(px(is_thrown ? -900 : 110));
   rules.orbit_q10 = static_cast<int16_t>(px(is_thrown ? 0 : 75));
-  if (!is_thrown) {
+  if (is_thrown) {
+    scatter(px(900));
+  } else {
+    scatter(px(60));
     pull_from_afar(px(phase < kSwells ? 90 : 20));
   }
   simulation::step(particles_, rules, grid_for(rules.radius.raw), 0, 0);

@@ -48,6 +48,7 @@ class OffsetScene : public SceneBase {
  private:
   void restart() noexcept;
   void step() noexcept;
+  void scatter(int32_t most_q10) noexcept;
   void pull_from_afar(int32_t strength_q10) noexcept;
   int32_t offset_q6() const noexcept;
   const motion::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;

@@ -1,14 +1,14 @@
-// The letter rests and is wound up. Its strokes thin, break where they are
-// thinnest, and vanish while the letter grows anew.
+// The letter rests and is wound up. Its strokes thin and break where they are
+// thinnest; then the letter condenses out of them.
 #include "vortex_scene.hpp"
 
 #include "inkcell/motion/easing.hpp"
-#include "inkcell/motion/fade.hpp"
 #include "inkcell/motion/grid_draw.hpp"
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/motion/timeline.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/simulation/advect.hpp"
+#include "inkcell/simulation/melt.hpp"
 #include "inkcell/simulation/redistance.hpp"
 #include "inkcell/style.hpp"
 
@@ -26,9 +26,9 @@ constexpr uint32_t kCore = 0xd9763f;
 // Frames of a loop.
 constexpr uint32_t kBegins = 12;
 constexpr uint32_t kThins = 80;
-constexpr uint32_t kEnds = 196;  // the vortex stops, a new letter grows
-constexpr uint32_t kGone = 230;
-constexpr uint32_t kGrown = 236;
+constexpr uint32_t kEnds = 190;  // the vortex stops, the letter condenses
+constexpr uint32_t kFilled = 232;
+constexpr uint32_t kGrown = 244;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength
 // Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
@@ -114,15 +114,31 @@ Status VortexScene::open() noexcept {
   return Status::ok;
 }
 
-void VortexScene::step() noexcept {
-  ++frame_;
-  const uint32_t phase = frame_ % kLoopFrames;
-  if (phase == kEnds) {
+// Edges inside of the letter grow, others shrink; parts that nothing reaches
+// appear at last. Alternates as step() does.
+void VortexScene::condense(uint32_t phase) noexcept {
+  constexpr int32_t kParts = 4;
+  cutoff_.raw = cutoff_.raw * 3 / 4;
+  const auto since = static_cast<int32_t>(phase - kEnds);
+  if (phase % 2 != 0 && phase < kFilled) {
+    const int32_t part = since / 2 % kParts;
+    const int32_t rows = grid_.height();
+    redistance(grid_, next_, rows * part / kParts, rows * (part + 1) / kParts);
     const DistanceGrid swap = grid_;
     grid_ = next_;
     next_ = swap;
-    // open() has tried it.
-    static_cast<void>(paint(grid_));
+    return;
+  }
+  const int32_t most = since < 13 ? 2 * since + 2 : 28;
+  static_cast<void>(paint(next_));  // open() has tried it
+  freeze(grid_, next_, phase < kGrown ? most : 255);
+}
+
+void VortexScene::step() noexcept {
+  ++frame_;
+  const uint32_t phase = frame_ % kLoopFrames;
+  if (phase >= kEnds && phase <= kGrown) {
+    condense(phase);
   }
   has_changed_ = has_changed_ || (phase >= kThins && phase <= kGrown);
   const Q16_16 blow = strength_at(phase);
@@ -166,71 +182,49 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
   }
   if (has_changed_) {
     now_ = known_pixels(grid_);
-    if (is_old_shown()) {
-      now_ = bounding_box(now_, known_pixels(next_));
-    }
   }
-}
-
-bool VortexScene::is_old_shown() const noexcept {
-  const uint32_t phase = frame_ % kLoopFrames;
-  return phase >= kEnds && phase < kGone;
 }
 
 void VortexScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
   const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
-  const Q16_16 worn = ease(kEaseInOut, fraction(kThins, kGone, now));
-  if (now < static_cast<int32_t>(kEnds)) {
-    draw_shape(paper, grid_, worn);
-    return;
-  }
-  if (is_old_shown()) {
-    draw_shape(paper, next_, worn);
-  }
-  const Q16_16 grown = ease(kEaseInOut, fraction(kEnds - 16, kGrown, now));
-  draw_shape(paper, grid_, Q16_16::from_raw(65536 - grown.raw));
+  const Q16_16 worn = ease(kEaseInOut, fraction(kThins, kEnds, now));
+  const Q16_16 healed = ease(kEaseInOut, fraction(kEnds, kFilled, now));
+  // By as much as the grid knows, at most.
+  const int32_t thinner_q6 =
+      lerp(0, 5 * 64, Q16_16::from_raw(worn.raw - healed.raw));
+  draw_shape(paper, thinner_q6);
 }
 
 // The cutoff that moves the edge outwards. [Q13 of a sample]
-int32_t VortexScene::cutoff_of(const DistanceGrid& grid,
-                               int32_t offset_q6) const noexcept {
-  const bool is_wound = &grid == &next_ || frame_ % kLoopFrames < kEnds;
-  return (is_wound ? cutoff_.raw : 0) - (offset_q6 * 128 >> grid.scale_log2());
+int32_t VortexScene::cutoff_of(int32_t offset_q6) const noexcept {
+  return cutoff_.raw - (offset_q6 * 128 >> grid_.scale_log2());
 }
 
 // A ring outside, the body, and its core: all drawn by distance.
 void VortexScene::draw_shape(const Paper& paper,
-                             const DistanceGrid& grid,
-                             Q16_16 thinned) const noexcept {
+                             int32_t thinner_q6) const noexcept {
   struct Layer {
     int32_t offset_q6;  // [px] on screens of 240 rows
     uint32_t ink;
   };
   constexpr Layer kLayers[] = {
       {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 32, kCore}};
-  // All layers thin by more than the grid knows, and what is left fades.
-  const int32_t thinner_q6 = lerp(0, 12 * 64, thinned);
-  const auto opacity =
-      static_cast<uint8_t>(lerp(255, 0, fraction(46000, 65536, thinned.raw)));
   if (is_print_) {
-    draw_print(paper, grid, thinner_q6 * height_ / 240, opacity);
+    draw_print(paper, thinner_q6 * height_ / 240);
     return;
   }
   for (const Layer& layer : kLayers) {
     const int32_t offset_q6 = (layer.offset_q6 - thinner_q6) * height_ / 240;
     GridLook look;
-    look.cutoff.raw = cutoff_of(grid, offset_q6);
-    const Fade fade = {&paper.with(layer.ink), opacity};
-    draw_grid(grid, look, 0, 0, kFilterMotion, make_sink(fade));
+    look.cutoff.raw = cutoff_of(offset_q6);
+    draw_grid(grid_, look, 0, 0, kFilterMotion, paper.with(layer.ink));
   }
 }
 
 // Lines turn with the vortex, once in a loop.
 void VortexScene::draw_print(const Paper& paper,
-                             const DistanceGrid& grid,
-                             int32_t thinner_q6,
-                             uint8_t opacity) const noexcept {
+                             int32_t thinner_q6) const noexcept {
   const PrintInks& inks = kPrintInks[static_cast<uint32_t>(print_)];
   const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
   const Q16_16 turned = ease(kEaseInOut, fraction(kBegins, kEnds, now));
@@ -247,13 +241,12 @@ void VortexScene::draw_print(const Paper& paper,
   look.slope = Q26_6::from_raw(height_ * 64 / 34);
   look.tone = 100;
   look.contrast = 140;
-  look.cutoff.raw = cutoff_of(grid, -thinner_q6);
+  look.cutoff.raw = cutoff_of(-thinner_q6);
   GridLook body;
   body.cutoff = look.cutoff;
-  const Fade under = {&paper.with(inks.body), opacity};
-  draw_grid(grid, body, 0, 0, kFilterMotion, make_sink(under));
-  const Fade ink = {&paper.with(inks.ink), opacity};
-  simulation::draw_print(grid, look, 0, 0, kFilterMotion, make_sink(ink));
+  draw_grid(grid_, body, 0, 0, kFilterMotion, paper.with(inks.body));
+  simulation::draw_print(grid_, look, 0, 0, kFilterMotion,
+                         paper.with(inks.ink));
 }
 
 void VortexScene::add_changes(DirtyRects& dirty) const noexcept {

@@ -1,4 +1,5 @@
-// Scene `figure15`: a vortex winds a letter up until it tears; it grows anew.
+// Scene `figure15`: a vortex winds a letter up until it tears; the letter
+// condenses out of its arms.
 #pragma once
 
 #include "inkcell/motion/distance_grid.hpp"
@@ -46,19 +47,13 @@ class VortexScene : public SceneBase {
   bool paint(motion::DistanceGrid& grid) noexcept;
   void keep_area() noexcept;
   void step() noexcept;
-  bool is_old_shown() const noexcept;
-  void draw_shape(const Paper& paper,
-                  const motion::DistanceGrid& grid,
-                  Q16_16 thinned) const noexcept;
-  void draw_print(const Paper& paper,
-                  const motion::DistanceGrid& grid,
-                  int32_t thinner_q6,
-                  uint8_t opacity) const noexcept;
-  int32_t cutoff_of(const motion::DistanceGrid& grid,
-                    int32_t offset_q6) const noexcept;
+  void condense(uint32_t phase) noexcept;
+  void draw_shape(const Paper& paper, int32_t thinner_q6) const noexcept;
+  void draw_print(const Paper& paper, int32_t thinner_q6) const noexcept;
+  int32_t cutoff_of(int32_t offset_q6) const noexcept;
 
   motion::DistanceGrid grid_;
-  motion::DistanceGrid next_;  // or what is left of the letter before
+  motion::DistanceGrid next_;
   simulation::PrintStyle print_ = simulation::PrintStyle::relief;
   bool is_print_ = false;
   motion::GridHistogram scratch_;

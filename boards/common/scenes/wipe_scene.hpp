@@ -1,4 +1,4 @@
-// Scene `wipe`: a soft edge wipes one word off and reveals another.
+// Scene `wipe`: an edge wipes one word off and reveals another.
 #pragma once
 
 #include "inkcell/motion/recipes.hpp"
@@ -15,7 +15,15 @@ class WipeScene : public TextScene {
       : TextScene(setting, setting.text, 430, 110),
         hides_{wipe(0, 0, Wipe::Kind::hide), wipe(1, kHalf, Wipe::Kind::hide)},
         shows_{wipe(1, 0, Wipe::Kind::reveal),
-               wipe(0, kHalf, Wipe::Kind::reveal)} {}
+               wipe(0, kHalf, Wipe::Kind::reveal)} {
+    const Rect box =
+        bounding_box(Painter().box(font(), style(), centred(word(0)), word(0)),
+                     Painter().box(font(), style(), centred(word(1)), word(1)));
+    for (size_t i = 0; i < 2; ++i) {
+      hides_[i].set_edge(box.x0, box.x1, kSoft);
+      shows_[i].set_edge(box.x0, box.x1, kSoft);
+    }
+  }
 
   /// bad_argument: the text is not two words with ink.
   Status open() noexcept {
@@ -39,6 +47,7 @@ class WipeScene : public TextScene {
  private:
   using Wipe = motion::Wipe;
   static constexpr uint32_t kHalf = 75;  // [frames]
+  static constexpr uint8_t kSoft = 2;    // [px] Both words are never seen.
 
   Wipe wipe(size_t index, uint32_t frame, Wipe::Kind kind) const noexcept {
     return {font(),
