@@ -11,6 +11,7 @@
 #   mutate     mistakes in the core that no unit test notices
 #   coverage   lines and branches of the core that no test runs
 #   fuzz       all fuzzers, an hour
+#   shaping    sentences and random strings by the device and by HarfBuzz
 #   release    tests/release.sh: the files of a release, as users take them
 #   bare       tests/bare.sh: demo, page and tests on a bare Debian; needs root
 #
@@ -20,7 +21,7 @@
 # passed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-all='bench programs corpus editing mutate coverage fuzz release bare'
+all='bench programs corpus editing mutate coverage fuzz shaping release bare'
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
   exit 2
@@ -54,6 +55,14 @@ editing() {
   cmake --build build/host -j "$jobs" --target all &&
     python3 -B host_tools/design/tests/figures.py build/host/host_tools/design
 }
+shaping() {
+  cmake --build build/host -j "$jobs" --target inkcell-fontgen inkcell-inspect &&
+    for kind in sentences random; do
+      python3 -B tests/gen/shaped_words.py build/host/fonts_gen/inkcell-fontgen \
+        build/host/host_tools/inkcell-inspect build/tests/shaped_$kind $kind ||
+        return
+    done
+}
 bare() {
   [ "$(id -u)" = 0 ] || { echo "needs root"; return 77; }
   sh tests/bare.sh
@@ -69,6 +78,7 @@ wanted editing && step editing editing
 wanted mutate && step mutate sh tests/mutate.sh
 wanted coverage && step coverage sh tests/coverage.sh
 wanted fuzz && step fuzz sh tests/fuzz/run.sh 3600
+wanted shaping && step shaping shaping
 wanted release && step release sh tests/release.sh
 wanted bare && step bare bare
 git status --short docs README.md

@@ -63,7 +63,8 @@ ROM_CODINGS = {0: "field", 2: "outline"}
 # Codings that modes, runs of text and digits are measured with.
 STYLED = ("outline", "field")
 LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_field", "inkcell_cache",
-                         "inkcell_truetype", "inkcell_port_pixel"),
+                         "inkcell_strike", "inkcell_truetype",
+                         "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
     "glyphs": "each engine, coding and size",
@@ -74,6 +75,7 @@ WHAT = {
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
     "cache": "glyphs that a cache holds, and bitmaps of 4 bits",
+    "colour": "glyphs of several colours, of ROM fonts that have them",
     "strike": "strikes, alone and beside outlines, and those outlines",
     "field": "fields generated from outlines",
     "moving": "type that moves: morphs, particles, scenes",
@@ -98,14 +100,14 @@ ASCII = ("32", "126")
 CANVAS_TEXT = "Hamburg,23.5%"
 CANVAS_SIZES = ("8", "12", "16", "20", "24", "32", "40", "48", "64")
 LENT = (0, 512, 1024, 2560)
-MOST_WITHOUT_RAM = 1.9
+MOST_WITHOUT_RAM = 1.92
 # What a line takes of the stack then, at most, on m0 in C++: where text is fitted
 # by itself, and elsewhere. [bytes]
 STACK_WITHOUT_RAM = {"grey2": 1924, "mono_rows": 1924, "mono_pages": 1924}
 OTHER_STACK_WITHOUT_RAM = 1476
 DIGITS = ("48", "57")
 # Fonts of strikes alone, one for each, and beside outlines. [px, bits]
-STRIKES = [(px, bits) for px in (12, 24) for bits in (1, 4)]
+STRIKES = [(px, bits) for px in (12, 24, 48) for bits in (1, 4)]
 # Generated fields: half width of the band, tolerances. [u, 1/1024 u]
 BAND = "32"
 TOLERANCES = ("512", "1024", "2048")
@@ -199,6 +201,10 @@ def prepare_lvgl(arguments):
 def is_rom_font(font):
     with open(font, "rb") as file:
         return file.read(4) == b"INKC"
+
+
+def has_colours(font):
+    return is_rom_font(font) and b"COLR" in font.read_bytes()[:256]
 
 
 def coding_of(font):
@@ -500,6 +506,22 @@ def measure_cache(firmware, sizes, font, about):
                "ram": held["workspace"]}
 
 
+def measure_colour(firmware, sizes, font, about):
+    """Glyphs of several colours, mean and worst, in the ways of drawing them."""
+    for px in sizes:
+        ways = {}
+        for way, (_, instructions, stack) in firmware.run(
+                "colour", firmware.fonts.files[font, "inkcell", "outline"], px):
+            ways.setdefault(way, []).append((instructions, stack))
+        for way, glyphs in ways.items():
+            instructions = [count for count, _ in glyphs]
+            yield {"figure": "colour", **about, "px": int(px), "way": way,
+                   "glyphs": len(glyphs),
+                   "instructions_mean": round(sum(instructions) / len(glyphs)),
+                   "instructions_max": max(instructions),
+                   "stack": max(stack for _, stack in glyphs)}
+
+
 def measure_strikes(firmware, font):
     """Strikes alone, beside outlines, and the outlines whose pictures they are."""
     name = re.sub(r"[^\w.-]", "_", font.stem)
@@ -523,6 +545,15 @@ def measure_strikes(firmware, font):
         if max(inks) > (1 if bits == 1 else 1.01) * min(inks):
             sys.exit(f"bench: {font.stem}, {px} px, {bits} bits: strikes do not "
                      f"draw what outlines draw: {inks}")
+
+
+def measure_strike_code(firmware):
+    """What a program keeps of the library that opens fonts of strikes alone."""
+    kept = kept_bytes(firmware.folder / "kept_strike.map")
+    return {"figure": "strike_code", "cpu": firmware.cpu, "opt": firmware.opt,
+            "glyphs": sum(kept.get((library, "code"), 0)
+                          for library in LIBRARIES["inkcell"]),
+            "libraries": kept.get(("gcc", "code"), 0)}
 
 
 def measure_canvases(firmware, font):
@@ -583,6 +614,8 @@ def measure_styled(firmware, arguments, font, coding, upright, pictures):
             not arguments.write_docs or
             (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
         yield from measure_modes(firmware, font, about, pictures)
+    if "colour" in arguments.what and has_colours(font):
+        yield from measure_colour(firmware, arguments.px, font, about)
     if "cache" in arguments.what and coding == "outline":
         yield from measure_cache(firmware, arguments.px, font, about)
     if "digits" in arguments.what:
@@ -678,6 +711,7 @@ def measure_others(firmware, arguments, upright, pictures):
             if (font, "inkcell", "outline") in firmware.fonts.files and (
                     not is_rom_font(font)):
                 yield from measure_strikes(firmware, font)
+        yield measure_strike_code(firmware)
     if "canvases" in arguments.what and firmware.opt == "O2" and (
             not arguments.write_docs or firmware.cpu in MODE_CPUS):
         for font in arguments.font:
@@ -749,8 +783,12 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
+    if any(map(has_colours, arguments.font)):
+        targets.add("colour")
     targets |= ({"bound", "cache", "field", "modes", "moving", "rgb565",
                  "strike"} & set(arguments.what))
+    if "strike" in targets:
+        targets.add("kept_strike")
     if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")
     if "canvases" in arguments.what:

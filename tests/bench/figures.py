@@ -24,6 +24,30 @@ CLOCKS = {"m0": ("Cortex-M0", 48), "m3": ("Cortex-M3", 100),
           "rv32": ("RV32IMC", 160)}
 
 
+def instructions(rows):
+    return {str(r["px"]): r["instructions_mean"] for r in rows
+            if r["px"] in SIZES}
+
+
+def of_strikes(others, font):
+    """The parts "strike", of 4 bits on a Cortex-M3 at -Os, and "strike, 1 bit": a
+    glyph of 12 px into pages of a display on a Cortex-M0 at -Os."""
+    def some(**wanted):
+        return [f for f in others if f.get("font", font) == font and
+                all(f.get(key) == value for key, value in wanted.items())]
+
+    alone = some(figure="strike", cpu="m3", opt="Os", bits=4, way="alone")
+    one_bit = some(figure="strike", cpu="m0", opt="Os", bits=1, px=12)
+    code, = some(figure="strike_code", cpu="m3", opt="Os")
+    return {
+        "strike": {"code": code["glyphs"],
+                   "font": {str(f["px"]): f["font_bytes"] for f in alone
+                            if f["px"] in SIZES},
+                   "stack": max(f["stack"] for f in alone), "heap": 0,
+                   "lent": 0, "instructions": instructions(alone)},
+        "strike, 1 bit": {f["way"]: f["instructions_mean"] for f in one_bit}}
+
+
 def of_bench(results, others, smallest, versions):
     """The part "bench": figures of the first font, in outlines."""
     font = results[0]["font"]
@@ -31,10 +55,6 @@ def of_bench(results, others, smallest, versions):
     def some(rows, **wanted):
         return [r for r in rows if r.get("font") == font and
                 all(r.get(key) == value for key, value in wanted.items())]
-
-    def instructions(rows):
-        return {str(r["px"]): r["instructions_mean"] for r in rows
-                if r["px"] in SIZES}
 
     def about(engine, **wanted):
         """Of a Cortex-M3 at -Os; the stack of 48 px, as far as others go."""
@@ -69,6 +89,7 @@ def of_bench(results, others, smallest, versions):
             opt="O2")) for cpu in CLOCKS},
         "inkcell": {**inkcell, "code": kept("m3")["glyphs"]},
         "freetype": about("freetype"),
+        **of_strikes(others, font),
     }
     lvgl = some(others, figure="lvgl_glyph", way="rle", opt="Os")
     if lvgl:
@@ -78,7 +99,7 @@ def of_bench(results, others, smallest, versions):
             "font": {str(f["px"]): f["font_bytes"] for f in lvgl
                      if f["px"] in SIZES},
             "stack": max(f["stack"] for f in lvgl if f["px"] == 48),
-            "heap": max(f["heap"] for f in lvgl if f["px"] == 48),
+            "heap": max(f["heap"] for f in lvgl if f["px"] == 48), "lent": 0,
             "instructions": instructions(lvgl), "cached": cached}
     return figures
 
@@ -130,31 +151,54 @@ def beside(figures):
     """Inkcell beside FreeType and LVGL."""
     bench = figures["bench"]
 
-    def row(engine, name, font):
+    def row(engine, name, font, rom):
         mine = bench[engine]
-        return [name, mine["code"], f"{mine['font']}, any size{font}",
-                "; ".join(3 * [str(mine["code"] + mine["font"])]),
+        return [name, mine["code"], font, rom,
                 f"{mine['stack']} + {mine['heap']} + {mine['lent']}",
                 *thousands(mine["instructions"])]
 
-    rows = [row("inkcell", "Inkcell, outlines, filter `text`",
-                ", kerning, hints"),
-            row("freetype", f"FreeType {bench['versions']['freetype']}, "
-                "unhinted", "")]
+    def scalable(engine, name, more):
+        code, font = bench[engine]["code"], bench[engine]["font"]
+        return row(engine, name, f"{font}, any size{more}",
+                   "; ".join(3 * [str(code + font)]))
+
+    def sized(engine, name):
+        code, fonts = bench[engine]["code"], bench[engine]["font"]
+        return row(
+            engine, name,
+            f"{fonts['12']} at 12 px, {fonts['24']} at 24, {fonts['48']} at 48",
+            f"{code + fonts['12']} at 12 px; {code + sum(fonts.values())}; none")
+
+    rows = [scalable("inkcell", "Inkcell, outlines, filter `text`",
+                     ", kerning, hints"),
+            sized("strike", "Inkcell, strikes alone, 4 bits, fitted"),
+            scalable("freetype", f"FreeType {bench['versions']['freetype']}, "
+                     "unhinted", "")]
     lvgl = bench.get("lvgl")
     if lvgl:
-        fonts, code = lvgl["font"], lvgl["code"]
-        rows.append([
-            f"LVGL {bench['versions']['lvgl']}, 4-bit bitmaps, compressed, "
-            "light autohint", code,
-            f"{fonts['12']} at 12 px, {fonts['24']} at 24, {fonts['48']} at 48",
-            f"{code + fonts['12']} at 12 px; {code + sum(fonts.values())}; none",
-            f"{lvgl['stack']} + {lvgl['heap']} + 0",
-            *thousands(lvgl["instructions"])])
+        rows.append(sized("lvgl", f"LVGL {bench['versions']['lvgl']}, 4-bit "
+                          "bitmaps, compressed, light autohint"))
         rows.append(["Inkcell, glyphs that a cache holds", "", "", "", "",
                      *thousands(lvgl["cached"])])
     return table(["", "code", "font", "ROM for 1 size; for 3; for all",
                   "stack + heap + lent", *(f"{px} px" for px in SIZES)], rows)
+
+
+def bits(figures):
+    """The smallest programs of 1 bit, with outlines, strikes and both."""
+    speeds = figures["bench"]["strike, 1 bit"]
+
+    def row(name, program, speed):
+        sizes = figures["programs"][program]
+        return [f"{name}, `{program}`", sizes["code"], sizes["constants"],
+                sizes["code"] + sizes["constants"], f"{speed / 1000:.1f}"]
+
+    return table(
+        ["", "code", "constants, font included", "flash",
+         "thousand instructions a glyph"],
+        [row("outlines", "least_oled.cpp", speeds["outline"]),
+         row("outlines and a strike", "least_both.cpp", speeds["both"]),
+         row("strikes alone", "least_strike.cpp", speeds["alone"])])
 
 
 def programs(figures):
@@ -170,7 +214,7 @@ def lent(figures):
     stack = figures["bench"]["stack"]
     return table(["lent", "stack of a glyph, Cortex-M3", "when"], [
         ["nothing, the default", f"{kilobytes(stack['nothing lent'])} KB",
-         "any text: a line costs at most 1.9 times as much"],
+         "any text: a line costs at most 1.92 times as much"],
         [f"{figures['bench']['inkcell']['lent']:,} bytes, at a multiple of 4",
          f"{kilobytes(stack['lent'])} KB", "large digits and headlines"],
         ["the same, with a `PreparedGlyph`", "likewise",
@@ -178,7 +222,7 @@ def lent(figures):
 
 
 TABLES = {function.__name__: function
-          for function in (takes, times, beside, programs, lent)}
+          for function in (takes, times, beside, bits, programs, lent)}
 
 
 def store(part, values):

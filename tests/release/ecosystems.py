@@ -28,9 +28,8 @@ from packages.platformio import Environment  # noqa: E402
 from toolchains import arguments, call, finish, in_parallel  # noqa: E402
 
 FONT = "inter_latin1"
-# The largest fonts of a set [bytes], and what needs more: round ends have points.
+# The largest fonts of a set [bytes].
 LARGEST = {"noto_sans_ascii": 6144, "digits": 1536, "ascii": 9216}
-LARGER = {"fredoka_ascii": 9264}
 COMPILE = ["g++", "-std=gnu++17", "-Os", "-fno-exceptions", "-fno-rtti",
            "-fno-threadsafe-statics", "-DARDUINO=10819", "-w"]
 SAMPLES = {"esp_idf": "port/esp_idf/example/main", "zephyr": "port/zephyr/sample/src",
@@ -328,7 +327,7 @@ def sizes_of(folder):
     sizes = {path.stem: path.stat().st_size for path in folder.glob("*.bin")}
     return [f"{name} has {size} bytes, not {most}" for name, size in sizes.items()
             for kind, most in LARGEST.items()
-            if name.endswith(kind) and size > LARGER.get(name, most)]
+            if name.endswith(kind) and size > most]
 
 
 def processor_seconds():

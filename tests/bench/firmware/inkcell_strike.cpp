@@ -60,11 +60,13 @@ bool engine_set_size(uint32_t px, const char* way) {
                 begins_with(way, "outline_pages");
   const Q26_6 size = Q26_6::from_int(static_cast<int32_t>(px));
   style = is_alone || is_in_pages ? Style(size) : strike_style(size);
+  // As headers of fonts with such a strike say.
+  const Coding& coding = is_alone       ? kStrikeCoding
+                         : has_outlines ? kOutlineCoding
+                         : is_in_pages  ? kOutlineBitStrikeCoding
+                                        : kOutlineStrikeCoding;
   Font opened;
-  const Status status = is_alone ? Font::open(rom, kStrikeCoding, opened)
-                        : has_outlines
-                            ? Font::open(rom, opened)
-                            : Font::open(rom, kOutlineStrikeCoding, opened);
+  const Status status = Font::open(rom, coding, opened);
   font = opened;
   return status == Status::ok;
 }

@@ -7,12 +7,17 @@
 //                3   as 2, with any matrix
 //                4   as 3, and by area, into every format
 //
-// INKCELL_KEEP_FIELDS: the font is one of fields, and not of outlines.
+// INKCELL_KEEP_FIELDS: the font is one of fields, and not of outlines;
+// INKCELL_KEEP_STRIKES: one of strikes alone, which are drawn by area.
 #include "inkcell/painter.hpp"
 #include "inkcell/port/a8.hpp"
 
 #if INKCELL_KEEP_FIELDS
 #  include "inkcell/field/draw.hpp"
+#endif
+
+#if INKCELL_KEEP_STRIKES
+#  include "inkcell/strike/strike.hpp"
 #endif
 
 #if INKCELL_KEEP >= 4
@@ -53,6 +58,8 @@ void make_style() {
 Status open(Font& font) {
 #if INKCELL_KEEP_FIELDS
   return Font::open({bytes, sizeof bytes}, kFieldCoding, font);
+#elif INKCELL_KEEP_STRIKES
+  return Font::open({bytes, sizeof bytes}, kStrikeCoding, font);
 #else
   return Font::open({bytes, sizeof bytes}, font);
 #endif
