@@ -6,10 +6,22 @@
 #include "limits.hpp"
 
 namespace inkcell::motion {
+namespace {
+
+// Edge and softness fit 16 bits. [px]
+constexpr int32_t kFarthestEdge = 16384;
+
+}  // namespace
+
+void Wipe::set_edge(int32_t x0, int32_t x1, uint8_t soft) noexcept {
+  x0_ = static_cast<int16_t>(clamp(x0, -kFarthestEdge, kFarthestEdge));
+  x1_ = static_cast<int16_t>(clamp(x1, -kFarthestEdge, kFarthestEdge));
+  soft_ = soft;
+}
 
 Rect Wipe::at(int32_t now_ms, const Painter& painter) noexcept {
   const int32_t last = edge_;
-  if (last == INT32_MIN) {
+  if (last == INT16_MIN) {
     box_ = painter.box(*face_.font, *face_.style, origin_, text_);
     if (x0_ == x1_) {
       set_edge(
@@ -17,9 +29,9 @@ Rect Wipe::at(int32_t now_ms, const Painter& painter) noexcept {
           static_cast<uint8_t>(clamp(face_.style->size().raw >> 7, 1, 255)));
     }
   }
-  edge_ =
-      lerp(x0_, x1_ + soft_, ease(kEaseInOut, progress_at(timing_, now_ms)));
-  if (last == INT32_MIN) {
+  edge_ = static_cast<int16_t>(
+      lerp(x0_, x1_ + soft_, ease(kEaseInOut, progress_at(timing_, now_ms))));
+  if (last == INT16_MIN) {
     return box_;
   }
   return last == edge_ ? Rect()
@@ -41,7 +53,7 @@ void Wipe::draw(const Painter& painter) const noexcept {
   const bool is_whole =
       kind_ == Kind::reveal ? edge_ >= box_.x1 + soft_ : edge_ <= box_.x0;
   const Sink sink = is_whole ? *soft.target : make_sink(soft);
-  if (edge_ != INT32_MIN && !is_empty(sink.window)) {
+  if (edge_ != INT16_MIN && !is_empty(sink.window)) {
     painter.with(sink).text(*face_.font, *face_.style, origin_, text_);
   }
 }

@@ -30,12 +30,9 @@ class Wipe {
         kind_(kind) {}
 
   /// The edge moves from x0 to x1, and fades over `soft`, instead of over the
-  /// text and half an em: two wipes share an edge. Before the first at(). [px]
-  void set_edge(int32_t x0, int32_t x1, uint8_t soft) noexcept {
-    x0_ = x0;
-    x1_ = x1;
-    soft_ = soft;
-  }
+  /// text and half an em: two wipes share an edge. Before the first at().
+  /// [px; x0 and x1 are clamped to +-16384]
+  void set_edge(int32_t x0, int32_t x1, uint8_t soft) noexcept;
 
   /// The painter is like the one that draws: as in ValueLabel::set().
   Rect at(int32_t now_ms, const Painter& painter) noexcept;
@@ -51,9 +48,9 @@ class Wipe {
   Timing timing_;
   Kind kind_;
   uint8_t soft_ = 0;  // [px]
-  int32_t x0_ = 0;    // where the edge begins and ends; equal: with the text
-  int32_t x1_ = 0;
-  int32_t edge_ = INT32_MIN;
+  int16_t x0_ = 0;    // where the edge begins and ends; equal: with the text
+  int16_t x1_ = 0;
+  int16_t edge_ = INT16_MIN;  // before the first at()
   Rect box_;
 };
 
