@@ -42,9 +42,6 @@ SMALL_ADVANCE = 765, 405  # the field of the advance on it [px]
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
-WAIT = ("wait",)          # until a dialog, a list or a menu is open
-
-
 def run_script(folder, *lines, scale=1):
     """What the lines print."""
     script = pathlib.Path(folder) / "script.txt"
@@ -131,9 +128,8 @@ class Session:
     def mono_12px(self):
         self.add("1 bit, 12 px", ["preview 12 mono dark", "hover -9e4 -9e4"],
                  ("mousemove", *MONO), ("click", 1), ("mousemove", *SIZE),
-                 ("keydown", "ctrl"), ("click", 1), WAIT, ("keyup", "ctrl"),
-                 ("type", "12"),
-                 ("key", "Return"), ("mousemove", *REST))
+                 ("keydown", "ctrl"), ("click", 1), ("keyup", "ctrl"),
+                 ("type", "12"), ("key", "Return"), ("mousemove", *REST))
 
     def run_script(self, folder):
         lines = list(self.opening)
@@ -180,7 +176,7 @@ class Letters(Session):
     def add_part(self, base):
         self.add(f"{self.shown}: part {base}",
                  [f'do {{"do": "add_component", "base": "{base}"}}'],
-                 ("key", "ctrl+shift+c"), WAIT, ("type", base),
+                 ("key", "ctrl+shift+c"), ("type", base),
                  ("key", "Return"))
 
     def blend(self, *bases):
@@ -191,13 +187,13 @@ class Letters(Session):
                 "parts": [{"glyph": base, "matrix": [1, 0, 0, 1, 0, 0]}
                           for base in bases]}
         self.add("blend", [f'do {json.dumps({"do": "set_tree", "tree": tree})}'],
-                 ("mousemove", *OPERATOR), ("click", 1), WAIT,
+                 ("mousemove", *OPERATOR), ("click", 1),
                  ("mousemove", *BLEND), ("click", 1))
 
     def make(self):
         self.view = self.report()
         self.add("text", [f"text {self.TEXT}", "hover -9e4 -9e4"],
-                 ("mousemove", *TEXT), ("click", 1), WAIT,
+                 ("mousemove", *TEXT), ("click", 1),
                  ("type", self.TEXT), ("key", "Return"), ("mousemove", *REST))
         self.go_to("l")
         self.draw("r", (80, 0), (120, 500), (160, 700))
@@ -233,6 +229,15 @@ class Letters(Session):
                                                    (edge - 360, 250)])
 
 
+def is_asleep(process):
+    """Whether all threads of a process wait for something to come."""
+    try:
+        return all(path.read_text().rpartition(")")[2].split()[0] == "S" for path
+                   in pathlib.Path(f"/proc/{process}/task").glob("*/stat"))
+    except FileNotFoundError:  # a thread has ended meanwhile
+        return False
+
+
 class Window:
     def __init__(self, display, folder, *arguments):
         self.display = display
@@ -242,13 +247,15 @@ class Window:
         display.focus("Inkcell")
 
     def send(self, *event):
-        if event == WAIT:
-            wait(lambda: self.display.pixels() != self.before,
-                 "nothing opens")
-            time.sleep(0.3)
-            return
-        self.before = self.display.pixels()
+        """Until it is answered: server and window sleep, which they do not where
+        the machine is busy and they wait for it."""
         self.display.send(*event)
+        asleep = 0
+        while asleep < 5:
+            asleep = asleep + 1 if all(
+                is_asleep(process.pid) for process in
+                (self.display.server, self.process)) else 0
+            time.sleep(0.01)
 
     def play(self, session, folder):
         """The steps of a session, each compared with its picture."""
@@ -335,7 +342,7 @@ class WindowTest(unittest.TestCase):
         steps.key("undo", "ctrl+z", "ctrl+z")
         steps.key("redo", "ctrl+y", "ctrl+y")
         steps.add("menu Glyph", ["action Curves from the field"],
-                  ("mousemove", *GLYPH_MENU), ("click", 1), WAIT,
+                  ("mousemove", *GLYPH_MENU), ("click", 1),
                   ("mousemove", *FIELD_CURVES), ("click", 1))
         steps.key("curves undone", "ctrl+z", "ctrl+z")
         steps.key("stroke tool", "b", "b")
@@ -471,7 +478,7 @@ class WindowTest(unittest.TestCase):
         journal = self.live / "P.ufo.journal"
         wait(journal.exists, "there is no journal")
         for event in (("mousemove", *SMALL_ADVANCE), ("keydown", "ctrl"),
-                      ("click", 1), WAIT, ("keyup", "ctrl"), ("type", "1234"),
+                      ("click", 1), ("keyup", "ctrl"), ("type", "1234"),
                       ("key", "Return")):
             window.send(*event)
         wait(lambda: '"width":1234' in journal.read_text(),
