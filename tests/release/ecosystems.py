@@ -238,7 +238,7 @@ def esphome(top, work):
     component, codegen = check_esphome.load_component()
     asyncio.run(component["to_code"]({
         "id": "large", "file": str(top / f"fonts/{FONT}.bin"), "size": 24,
-        "glyphs": "", "levels": 256, "fontgen": "none", "raw": "rom"}))
+        "levels": 256, "fontgen": "none", "raw": "rom"}))
     named = re.search(r"file: inkcell/(\S+)", (
         top / "port/esphome/example.yaml").read_text()).group(1)
     if codegen.libraries != {("Inkcell", None, f"symlink://{top}")} or not (

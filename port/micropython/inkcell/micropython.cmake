@@ -4,7 +4,7 @@
 #
 # inkcell_module.c says how it is used.
 set(CONFIG_INKCELL_C y)
-foreach(name CACHE FIELD FIGURES LAYOUT MOTION SHAPING STRIKE TRUETYPE)  # which it needs
+foreach(name CACHE FIELD FIGURES LAYERS LAYOUT MOTION SHAPING STRIKE TRUETYPE)  # its needs
   set(CONFIG_INKCELL_${name} y)
 endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/../../libraries.cmake)
