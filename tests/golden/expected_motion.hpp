@@ -26,7 +26,7 @@ inline constexpr const char* kTickerHash =
 inline constexpr const char* kTypewriterHash =
     "4cde5008fd3dda76171123246b2bb43e3155c55407bdbcd0207c45d9b2eeaf02";
 inline constexpr const char* kWipeHash =
-    "fba3d2308010a6dd3d0428911fe4f193802215b0452d9e58356a075aa2202898";
+    "3ca14e466c28fee0a00ddedd646d1e39b703ee64222b07d2e9cb6e384952b8ce";
 inline constexpr const char* kBounceHash =
     "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
 inline constexpr const char* kSplashHash =

@@ -218,6 +218,18 @@ class Animate(FolderCase):
         cold = [i % 320 for i, (r, _, b) in enumerate(pixels) if b > r + 40]
         self.assertLessEqual(max(cold), min(warm) + 2)
 
+    def test_a_wipe_leaves_no_sliver(self):
+        """The old word is seen with strong ink, or not at all."""
+        for size in ("320x240", "240x120"):
+            out, _ = self.play("wipe", "w.png", "--from", 0.9, size=size,
+                               frames=40)
+            warmth = [max(frame[i] - frame[i + 2] for i in
+                          range(0, len(frame), 3))
+                      for frame in frames_of(out.read_bytes())]
+            self.assertLess(warmth[-1], 0)
+            for warm in warmth:
+                self.assertTrue(warm < 0 or warm > warmth[0] * 2 // 3, warmth)
+
     def test_splash_begins_in_motion(self):
         """And moves for more than half of the time."""
         out, stats = self.play("splash", "s.png", frames=301)

@@ -19,9 +19,11 @@ class WipeScene : public TextScene {
     const Rect box =
         bounding_box(Painter().box(font(), style(), centred(word(0)), word(0)),
                      Painter().box(font(), style(), centred(word(1)), word(1)));
+    // Slow at its ends, the edge would show slivers of letters there.
+    const int32_t beside = px(128);
     for (size_t i = 0; i < 2; ++i) {
-      hides_[i].set_edge(box.x0, box.x1, kSoft);
-      shows_[i].set_edge(box.x0, box.x1, kSoft);
+      hides_[i].set_edge(box.x0 - beside, box.x1 + beside, kSoft);
+      shows_[i].set_edge(box.x0 - beside, box.x1 + beside, kSoft);
     }
   }
 
