@@ -14,9 +14,9 @@ inline constexpr const char* kFigure13Hash =
 inline constexpr const char* kFigure14Hash =
     "512350642c8b79098fb6532a757973f6f3cf60716ede71cfc8a6ad9fb2b1941b";
 inline constexpr const char* kFigure15Hash =
-    "ae1ee468735442be64dbb6b427bebdf3ab0cf68b6ae7f4edc0da787c8014916b";
+    "215f896dc8664afa035477eeb77c35f7c959c95398ae5e51ab895f570bbc534a";
 inline constexpr const char* kMeltHash =
-    "d9b2c7367825e758db801e735fb01ffbf2956df2cbf2a618536bc1ae86006d2b";
+    "87258a455eefb68acc980833b99221d6555295ea8e7b344f1d561bb4c2e8b81e";
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =

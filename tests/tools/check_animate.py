@@ -267,6 +267,20 @@ class Animate(FolderCase):
                       for i in range(0, len(frame), 3))
             self.assertGreater(ink, 1000)
 
+    def test_the_letter_condenses_with_clean_edges(self):
+        """Few pixels are between inks with all that surround them: edges are
+        a pixel wide, and no layer fades as a whole."""
+        out, _ = self.play("figure15", "c.png", "--from", 6, size="320x240",
+                           frames=68)
+        inks = [bytes(ink) for ink in ((0x0c, 0x10, 0x18), (0x1a, 0x38, 0x54),
+                                       (0xf2, 0xe6, 0xcf), (0xd9, 0x76, 0x3f))]
+        for number, frame in enumerate(frames_of(out.read_bytes())):
+            pure = [frame[i:i + 3] in inks for i in range(0, len(frame), 3)]
+            rows = [sum(pure[i - 1:i + 2]) for i in range(1, len(pure) - 1)]
+            between = sum(rows[i - 320] + rows[i] + rows[i + 320] == 0
+                          for i in range(320, len(rows) - 320))
+            self.assertLess(between, 160, number)
+
     def test_the_vortex_is_printed(self):
         plain, _ = self.play("figure15", "p.png", "--from", 3, frames=3)
         seen = {plain.read_bytes()}
@@ -310,6 +324,13 @@ class Animate(FolderCase):
         frames = frames_of(out.read_bytes())
         self.assertEqual(frames[0], frames[300])
         self.assertEqual(frames[140], frames[150])  # the second word rests
+        # It is as wide as what melted.
+        wide = [[x for x in range(128) if any(
+            frame[384 * y + 3 * x:384 * y + 3 * x + 3] != frame[:3]
+            for y in range(64))] for frame in frames[30:78]]
+        for before, after in zip(wide, wide[1:]):
+            self.assertLessEqual(after[0], before[0])
+            self.assertGreaterEqual(after[-1], before[-1])
         # The puddle is level: its upper edge is one row, but for its ends.
         rows = [[frames[77][384 * y + 3 * x:384 * y + 3 * x + 3] != frames[0][:3]
                  for x in range(24, 104)] for y in range(64)]

@@ -198,6 +198,7 @@ TEST(shapes_melt_and_others_freeze) {
   paint(kEllGlyph, whole);
   Melting how;
   how.floor = 80_px;
+  how.beside = 8_px;
   how.area = grid.area();
   how.speed_q8 = 220;
   const int32_t top = grid.known_box().y0;
@@ -211,7 +212,9 @@ TEST(shapes_melt_and_others_freeze) {
   CHECK(grid.known_box().y0 > top + 24);
   for (int32_t x = 0; x < kSide; ++x) {
     CHECK(grid.at(x, 81) < 0);
+    CHECK(grid.at(7, x) < 0 && grid.at(kSide - 8, x) < 0);
   }
+  CHECK(grid.at(8, 79) >= 0 && grid.at(kSide - 9, 79) >= 0);
   // It is filled where the puddle is, and above only later.
   const auto missing = [&](int32_t from, int32_t to) {
     int32_t count = 0;

@@ -41,6 +41,7 @@ class MeltScene : public TextScene {
   Status open() noexcept {
     step_ = 0;
     const Text widest = wider_word(font(), text());
+    how_.beside = Q26_6::from_raw(2 * screen().x1);  // 1/32 of the width
     how_.floor = origin().y;
     how_.floor.raw += Painter().measure(font(), style(), widest).bottom.raw;
     return grids_[2].width() == 0                       ? Status::buffer_small
@@ -161,8 +162,10 @@ class MeltScene : public TextScene {
     constexpr int32_t kRound = 96;
     const Grid& word = grids_[2];
     const int32_t width = out.width();
-    const int32_t half = width * 14;
-    const int32_t deep = how_.area * 16 / (28 * (width < 1 ? 1 : width));
+    // The puddle is as wide as what melts may be.
+    const int32_t half =
+        width * 16 - (how_.beside.raw >> (out.scale_log2() + 1));
+    const int32_t deep = how_.area * 8 / (half < 1 ? 1 : half);
     const int32_t depth = motion::lerp(deep, -kRound, part);
     const int32_t shift = out.scale_log2() + 1;
     const auto height_of = [&](int32_t y) {

@@ -26,8 +26,12 @@ constexpr uint32_t kCore = 0xd9763f;
 // Frames of a loop.
 constexpr uint32_t kBegins = 12;
 constexpr uint32_t kThins = 80;
+// Strokes are thick again before condense() lifts deep and far samples so much
+// that layers far from the edge would show them.
+constexpr uint32_t kHeals = 180;
 constexpr uint32_t kEnds = 190;  // the vortex stops, the letter condenses
-constexpr uint32_t kFilled = 232;
+constexpr uint32_t kHealed = 206;
+constexpr uint32_t kFilled = 236;
 constexpr uint32_t kGrown = 244;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength
 // Every second frame a part of the rows becomes true distances again.
@@ -115,15 +119,13 @@ Status VortexScene::open() noexcept {
 }
 
 // Edges inside of the letter grow, others shrink; parts that nothing reaches
-// appear at last. Alternates as step() does.
+// appear at last. Alternates as step() does, but with all rows, as those of
+// different age would show seams.
 void VortexScene::condense(uint32_t phase) noexcept {
-  constexpr int32_t kParts = 4;
   cutoff_.raw = cutoff_.raw * 3 / 4;
   const auto since = static_cast<int32_t>(phase - kEnds);
   if (phase % 2 != 0 && phase < kFilled) {
-    const int32_t part = since / 2 % kParts;
-    const int32_t rows = grid_.height();
-    redistance(grid_, next_, rows * part / kParts, rows * (part + 1) / kParts);
+    redistance(grid_, next_);
     const DistanceGrid swap = grid_;
     grid_ = next_;
     next_ = swap;
@@ -189,7 +191,7 @@ void VortexScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
   const auto now = static_cast<int32_t>(frame_ % kLoopFrames);
   const Q16_16 worn = ease(kEaseInOut, fraction(kThins, kEnds, now));
-  const Q16_16 healed = ease(kEaseInOut, fraction(kEnds, kFilled, now));
+  const Q16_16 healed = ease(kEaseInOut, fraction(kHeals, kHealed, now));
   // By as much as the grid knows, at most.
   const int32_t thinner_q6 =
       lerp(0, 5 * 64, Q16_16::from_raw(worn.raw - healed.raw));

@@ -34,12 +34,14 @@ void melt(DistanceGrid& grid,
   const int32_t speed_q8 = clamp(how.speed_q8, 0, 256);
   const int32_t floor_q6 = clamp(how.floor.raw, -(1 << 19), 1 << 19);
   const int32_t shift = grid.scale_log2() + 1;
+  const int32_t beside = clamp(how.beside.raw, 0, 1 << 19) >> shift;
   const int32_t added = -cutoff_for(grid, how.area, scratch).raw / 64;
   // As deep as one of this area, from side to side.
-  const int32_t depth =
-      max(how.area / max(2 * grid.width(), 1) + 32, kLeastDepth);
+  const int32_t wide = max(grid.width() * 16 - beside, 16);  // half of it
+  const int32_t depth = max(how.area * 8 / wide + 32, kLeastDepth);
   for (int32_t x = 0; x < grid.width(); ++x) {
     const int32_t speed = speed_q8 * speed_of(how.seed, x);
+    const int32_t side = 32 * min(x, grid.width() - 1 - x) + 16 - beside;
     // Upwards: the sample above is still that of the step before.
     for (int32_t y = grid.height() - 1; y >= 0; --y) {
       int8_t& at = grid.row(y)[x];
@@ -49,7 +51,8 @@ void melt(DistanceGrid& grid,
       const int32_t fallen =
           at + (((grid.at(x, y - 1) - at) * fall_q8 + 128) >> 8);
       const bool is_puddle = fallen > INT8_MIN && height < depth;
-      at = sample_of(min(is_puddle ? fallen + added : fallen, height));
+      at = sample_of(
+          min(is_puddle ? fallen + added : fallen, min(height, side)));
     }
   }
 }
@@ -65,7 +68,8 @@ void freeze(DistanceGrid& grid,
     int8_t* row = grid.row(y);
     const int8_t* wanted = target.row(y);
     for (int32_t x = 0; x < grid.width(); ++x) {
-      row[x] = sample_of(clamp(wanted[x], row[x] - most, row[x] + most));
+      const int32_t far = min(most, 10 + abs(wanted[x]) / 3);
+      row[x] = sample_of(clamp(wanted[x], row[x] - far, row[x] + far));
     }
   }
 }

@@ -23,6 +23,7 @@ namespace inkcell::simulation {
 /// How a shape melts.
 struct Melting {
   Q26_6 floor;           // [px from the grid's upper edge] Nothing is below it.
+  Q26_6 beside;          // [px] Nothing is nearer to the grid's sides.
   int32_t speed_q8 = 0;  // the fastest column, at most a sample [a step]
   /// DistanceGrid::area() of the shape: what sinks spreads as a puddle until
   /// the area is this again. [1/64 of a sample]
@@ -37,7 +38,8 @@ void melt(motion::DistanceGrid& grid,
           motion::GridHistogram& scratch) noexcept;
 
 /// A step: edges inside of the target grow, others shrink, by at most `most` (1
-/// to 255). The target is filled from where the grid overlaps it; steps without
+/// to 255), slower where they are near its edge: they leave no steps there. The
+/// target is filled from where the grid overlaps it; steps without
 /// redistance() also fill the other parts, and end with the target itself.
 /// [1/32 of a sample] If the sizes differ, `grid` is untouched.
 void freeze(motion::DistanceGrid& grid,
