@@ -290,6 +290,7 @@ void write_stats(const Arguments& arguments,
     const BodyFigures& all = *tally.bodies;
     json["worst_penetration_px"] = all.drawn;
     json["worst_rigid_penetration_px"] = all.rigid;
+    json["worst_squash"] = all.squash;
     json["ink_of_a_letter"] = {all.least_body_ink, all.greatest_body_ink};
     json["ink_of_a_frame"] = {all.least_ink, all.greatest_ink};
     json["resting_off_floor"] = all.off_floor;

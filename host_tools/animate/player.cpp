@@ -110,9 +110,10 @@ double ink_of(Span<const simulation::Body> bodies,
 
 BodyFigures figures_of(Span<const simulation::Body> bodies,
                        const simulation::BodyRules& rules) {
-  // The same bodies, without neighbours and walls.
+  // The same bodies, without neighbours, walls and squash.
   std::vector<simulation::Body> rigid(bodies.begin(), bodies.end());
   for (simulation::Body& body : rigid) {
+    body.squash = {};
     for (simulation::BodyTouch& touch : body.touches) {
       touch = {};
     }
@@ -136,6 +137,7 @@ BodyFigures figures_of(Span<const simulation::Body> bodies,
           std::max(figures.greatest_body_ink, now / alone);
     }
     const simulation::Body& body = bodies[i];
+    figures.squash = std::max(figures.squash, body.squash.raw / 16384.0);
     bool is_off = body.still_steps > 0;
     for (const simulation::BodyTouch& touch : body.touches) {
       is_off = is_off && touch.with != simulation::BodyTouch::kWalls + 3;
@@ -250,6 +252,7 @@ SceneKind kind_of(std::string_view name,
 void BodyFigures::add(const BodyFigures& frame) {
   drawn = std::max(drawn, frame.drawn);
   rigid = std::max(rigid, frame.rigid);
+  squash = std::max(squash, frame.squash);
   least_body_ink = std::min(least_body_ink, frame.least_body_ink);
   greatest_body_ink = std::max(greatest_body_ink, frame.greatest_body_ink);
   least_ink = std::min(least_ink, frame.least_ink);

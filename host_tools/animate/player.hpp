@@ -23,6 +23,7 @@ struct BodyFigures {
   // the rules allow. [px]
   double drawn = 0;
   double rigid = 0;
+  double squash = 0;  // the greatest, of a letter's height
   // Ink as drawn over ink without deformation: of a body, and of all.
   double least_body_ink = 1;
   double greatest_body_ink = 1;

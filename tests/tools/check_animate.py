@@ -202,6 +202,8 @@ class Animate(FolderCase):
             self.assertGreaterEqual(stats["resting_off_floor"], 2, size)
             self.assertEqual(stats["worst_penetration_px"], 0, size)
             self.assertLessEqual(stats["worst_rigid_penetration_px"], 0.5)
+            self.assertGreater(stats["worst_squash"], 0.15)
+            self.assertLess(stats["worst_squash"], 0.25)
             for what, most in (("ink_of_a_frame", 0.02),
                                ("ink_of_a_letter", 0.06)):
                 least, greatest = stats[what]

@@ -2,6 +2,7 @@
 // lines where soft ones meet.
 #include "body_models.hpp"
 #include "check.hpp"
+#include "ink.hpp"
 #include "inkcell/motion/numbers.hpp"
 #include "inkcell/simulation/bodies.hpp"
 #include "inkcell/simulation/body_draw.hpp"
@@ -97,6 +98,12 @@ struct Board {
     CHECK_OK(shape.make(grid, edge));
   }
 };
+
+Ink ink_of(size_t i, const BodyRules& rules) {
+  Ink ink;
+  draw_body(bodies, i, rules, kFilterMotion, ink.sink());
+  return ink;
+}
 
 // Draws one of two bodies on its picture; returns its ink.
 int32_t draw_pair(const BodyRules& rules, int i) {
@@ -309,5 +316,48 @@ TEST(soft_bodies_keep_their_ink_on_the_floor) {
     }
     CHECK(body.touches[0].bulge_q6 > 16);
     rules.gravity = {};
+  }
+}
+
+// By 15 to 25 % of the height, for 6 to 10 frames of two steps; the lowest line
+// (but for its ramp) and the ink stay.
+TEST(soft_bodies_are_squashed_where_they_fall) {
+  make_models();
+  BodyRules rules;
+  rules.walls = {0, 0, 64, 64};
+  rules.gravity.raw = 16000;
+  rules.overlap.raw = 3 << 10;
+  rules.stiffness_q16 = rules.damping_q16 = 16000;
+  rules.squash_q14 = 160;
+  for (int32_t turned = 0; turned < 4; ++turned) {
+    Body& body = bodies[0];
+    body = Body();
+    body.shape = &models[2].shape;
+    body.x = Q16_16::from_int(32);
+    body.y = Q16_16::from_int(18);
+    body.y_speed = Q16_16::from_int(9);
+    body.turn_q32 = static_cast<uint32_t>(turned) << 30;
+    int32_t most = 0;
+    int32_t steps = 0;
+    for (int32_t i = 0; i < 60 && (steps == 0 || body.squash.raw != 0); ++i) {
+      step({&body, 1}, rules, contacts);
+      const int32_t now = body.squash.raw;
+      steps += now != 0 ? 1 : 0;
+      most = now > most ? now : most;
+      bodies[1] = body;
+      bodies[1].squash = {};
+      const Ink flat = ink_of(0, rules);
+      const Ink whole = ink_of(1, rules);
+      CHECK(magnitude(flat.sum - whole.sum) <= whole.sum * 4 / 100);
+      CHECK(magnitude(flat.box.y1 - whole.box.y1) <= 1);
+      const int32_t height = whole.box.y1 - whole.box.y0;
+      const int32_t lower = flat.box.y0 - whole.box.y0;
+      CHECK(magnitude(lower * 64 - height * now / 256) <= 64);
+      const int32_t wider =
+          flat.box.x1 - flat.box.x0 - (whole.box.x1 - whole.box.x0);
+      CHECK(now < (1 << 14) / 10 || wider >= 2);
+    }
+    CHECK(most >= (1 << 14) * 15 / 100 && most <= (1 << 14) * 25 / 100);
+    CHECK(steps >= 12 && steps <= 20);
   }
 }

@@ -144,6 +144,7 @@ BodyRules BodyScene::rules() const noexcept {
   rules.overlap.raw = static_cast<int16_t>(3072 * height_ / 240);
   rules.stiffness_q16 = 16000;
   rules.damping_q16 = 16000;
+  rules.squash_q14 = static_cast<uint16_t>(160 * 240 / height_);
   rules.pieces = 3;
   return rules;
 }
@@ -242,6 +243,7 @@ bool BodyScene::has_changed(int32_t index) const noexcept {
   const Body& then = before_[index];
   return now.shape != then.shape || now.x.raw != then.x.raw ||
          now.y.raw != then.y.raw || now.turn_q32 != then.turn_q32 ||
+         now.squash.raw != then.squash.raw ||
          !are_equal(now.touches, then.touches);
 }
 
@@ -293,6 +295,7 @@ void BodyScene::tell_state(const StateSink& sink) const noexcept {
     sink.tell(body.y_speed.raw);
     sink.tell(static_cast<int32_t>(body.turn_q32));
     sink.tell(body.spin_q20);
+    sink.tell(body.squash.raw);
     for (const BodyTouch& touch : body.touches) {
       sink.tell((touch.with << 16) + (touch.bulge_q6 << 8) + touch.swell_q8);
     }

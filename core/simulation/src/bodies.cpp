@@ -345,6 +345,28 @@ __attribute__((noinline)) int32_t solve_piece(const Solver& solver,
   return part_q16;
 }
 
+// A damped spring: the fall that a body has lost in a step, if it is more than
+// `least_q16`, sets it off.
+void spring_back(Body& body, int32_t gain_q14, int32_t least_q16) noexcept {
+  constexpr int32_t kStiffness = 400;  // [Q14]
+  constexpr int32_t kDamping = 1800;
+  constexpr int32_t kMostSpeed = 1750;  // which squashes by 18 %
+  const int32_t lost_q16 =
+      takes_part(body) ? body.fall_q16 - body.y_speed.raw : 0;
+  int32_t speed = body.squash_speed_q14;
+  if (lost_q16 > least_q16) {
+    speed += min((lost_q16 >> 4) * gain_q14 >> 12, kMostSpeed);
+  }
+  speed = clamp(speed, -kMostSpeed, kMostSpeed);
+  const int32_t now = clamp(body.squash.raw, 0, Body::kMostSquashQ14);
+  // Stiffer on the way in, which takes two frames.
+  const int32_t stiff = speed > 0 ? 2 : 1;
+  speed -= (now * kStiffness * stiff * stiff + speed * kDamping * stiff) >> 14;
+  const int32_t next = min(now + speed, Body::kMostSquashQ14);
+  body.squash.raw = static_cast<int16_t>(max(next, 0));
+  body.squash_speed_q14 = static_cast<int16_t>(next > 0 ? speed : 0);
+}
+
 // Limits all values, and applies gravity.
 __attribute__((noinline)) void begin_step(Span<Body> bodies,
                                           const BodyRules& rules) noexcept {
@@ -352,6 +374,7 @@ __attribute__((noinline)) void begin_step(Span<Body> bodies,
     limit(body);
     if (takes_part(body)) {
       body.y_speed.raw += is_empty(rules.walls) ? 0 : rules.gravity.raw;
+      body.fall_q16 = body.y_speed.raw;
     } else if (body.shape != nullptr) {
       body.x_speed = body.y_speed = {};
       body.spin_q20 = 0;
@@ -383,6 +406,7 @@ void step(Span<Body> all,
         solve_piece({bodies, rules, {room.data, count}}, piece == 0, left_q16);
   }
   for (Body& body : bodies) {
+    spring_back(body, min(rules.squash_q14, 1 << 13), 2 * still_q16);
     if (takes_part(body)) {
       const bool is_still = speed_of(body) <= still_q16;
       body.still_steps =
@@ -406,9 +430,12 @@ Rect box_of(const Body& body) noexcept {
   }
   const int32_t x = body.x.raw >> 16;
   const int32_t y = body.y.raw >> 16;
+  // A squash of q makes a body wider by q / (1 - q), at most 4/3 q.
+  const int32_t flat = clamp(body.squash.raw, 0, Body::kMostSquashQ14);
+  const int32_t wider = (body.shape->radius() * flat / 3 + 4095) >> 12;
   // With a bulge, a swell and half of an edge's ramp.
-  const int32_t radius =
-      body.shape->radius() + 3 + (1 << min(body.shape->grid().scale_log2(), 1));
+  const int32_t radius = body.shape->radius() + wider + 3 +
+                         (1 << min(body.shape->grid().scale_log2(), 1));
   return {x - radius, y - radius, x + radius + 1, y + radius + 1};
 }
 

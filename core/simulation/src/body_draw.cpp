@@ -22,18 +22,30 @@ struct Place {
 struct View {
   const BodyShape* shape;
   Place origin;  // of pixel (0, 0) of the box
-  // A step to the right is (cosine, sine), a step down (-sine, cosine).
-  int16_t cosine_q14;
-  int16_t sine_q14;
+  // Steps in the grid [Q14]; (cosine, sine) and (-sine, cosine) of a body that
+  // is not squashed.
+  int16_t x_right;
+  int16_t y_right;
+  int16_t x_down;
+  int16_t y_down;
   int16_t bulge_q10;  // of the body drawn: beside this neighbour
   int16_t next;       // it does not matter to the left of this column
 
   // The distance of a pixel, as distance_at().
   int32_t distance(int32_t x, int32_t y) const noexcept {
-    return distance_at(*shape, origin.x + (cosine_q14 * x - sine_q14 * y) * 4,
-                       origin.y + (sine_q14 * x + cosine_q14 * y) * 4);
+    return distance_at(*shape, origin.x + (x_right * x + x_down * y) * 4,
+                       origin.y + (y_right * x + y_down * y) * 4);
   }
 };
+
+// The lowest point of a turned body, below its centre. [px, Q16]
+int32_t lowest_of(const BodyShape& shape, const Turn& turn) noexcept {
+  int32_t lowest = 0;
+  for (const BodyPoint& point : shape.points()) {
+    lowest = max(lowest, turn.cosine * point.y_q5 - turn.sine * point.x_q5);
+  }
+  return lowest >> 3;
+}
 
 // (x, y): the upper left corner of the box, in px on the screen.
 __attribute__((noinline)) void look_at(const Body& body,
@@ -43,11 +55,23 @@ __attribute__((noinline)) void look_at(const Body& body,
   const BodyShape& shape = *body.shape;
   const Turn turn = turn_of(body.angle());
   // Rotated back by the body's angle: (x c - y s, y c + x s).
-  const int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
-  const int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
+  int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
+  int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
+  // In the grid, what is drawn of a squashed body is farther from its lowest
+  // line, and nearer to its middle.
+  const int32_t flat = clamp(body.squash.raw, 0, Body::kMostSquashQ14);
+  const int32_t across = kOneQ14 - flat;
+  const int32_t along = kOneQ14 * kOneQ14 / across;
+  if (flat != 0) {
+    const int32_t lowest = lowest_of(shape, turn);
+    dx = dx * across >> 14;
+    dy = clamp_i64(lowest + ((dy - lowest) * along >> 14), -(1 << 30), 1 << 30);
+  }
   view.shape = &shape;
-  view.cosine_q14 = static_cast<int16_t>(turn.cosine);
-  view.sine_q14 = static_cast<int16_t>(turn.sine);
+  view.x_right = static_cast<int16_t>(turn.cosine * across >> 14);
+  view.y_right = static_cast<int16_t>(turn.sine * across >> 14);
+  view.x_down = static_cast<int16_t>(-turn.sine * along >> 14);
+  view.y_down = static_cast<int16_t>(turn.cosine * along >> 14);
   const int32_t half = 1 << (15 + shape.grid().scale_log2());
   view.origin.x = shape.centre_x().raw - half +
                   scaled(dx * turn.cosine - dy * turn.sine, 14);

@@ -49,8 +49,16 @@ struct Body {
   /// Bodies and walls nearby at the last step, which draw_body() needs.
   static constexpr size_t kMostTouches = 6;
   BodyTouch touches[kMostTouches];
-  // Written by step() only: how far the body may go at once [px], the greatest
-  // speed of its points [px a step], and its speeds before the solver ran.
+  /// draw_body() draws it flatter by this part of its height, 0 to 1/4, and so
+  /// much wider that its area stays; its lowest line stays too. Written by
+  /// step().
+  Fixed<int16_t, 14> squash;
+  // Written by step() only: the speed of the squash [Q14 a step], and the speed
+  // at which it began [px a step]; how far the body may go at once [px], the
+  // greatest speed of its points [px a step], and its speeds before the solver
+  // ran.
+  int16_t squash_speed_q14 = 0;
+  int32_t fall_q16 = 0;
   int32_t clear_q10 = 0;
   int32_t most_speed_q16 = 0;
   int32_t x_speed_before = 0;
@@ -58,6 +66,7 @@ struct Body {
   int32_t spin_before = 0;
 
   static constexpr uint8_t kStepsToSleep = 60;
+  static constexpr int32_t kMostSquashQ14 = 1 << 12;
 
   motion::Angle angle() const noexcept {
     return motion::Angle::from_raw(static_cast<uint16_t>(turn_q32 >> 16));
@@ -77,6 +86,12 @@ struct BodyRules {
   Q6_10 overlap;
   uint16_t stiffness_q16 = 1000;  // [px a step, gained in a step, a px]
   uint16_t damping_q16 = 4000;    // of the speed across, lost in a step
+  /// A body that falls on something is squashed, and springs back in 15 steps:
+  /// the spring's speed, parts of the height a step, for each px a step that
+  /// the fall loses. One blow squashes by 18 % of the height at most; slow
+  /// bodies are not squashed. Only drawn: contacts are those of the body as it
+  /// is. 0 to 8192.
+  uint16_t squash_q14 = 0;
   /// The most pieces that a step is divided into, 1 to kMostPieces. Bounds the
   /// cost of a step: if they are used up, the rest of the step's time is
   /// dropped. Collisions are never missed.
