@@ -488,6 +488,55 @@ TEST(Morph, ContoursSplitAndJoin) {
   }
 }
 
+// How far the morph is from its mirror image: across x = 350, or y = 350. [u]
+double unlike_image(const MorphPair& pair, double progress, bool is_upright) {
+  std::vector<Point> points;
+  for (const auto& polygon : morph_polygons(pair, progress, 4)) {
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  double most = 0;
+  for (const Point& p : points) {
+    const Point image =
+        is_upright ? Point{700 - p.x, p.y} : Point{p.x, 700 - p.y};
+    double least = kInfinity;
+    for (const Point& other : points) {
+      least = std::min(least, length(other - image));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+TEST(Morph, MirrorImagesStayMirrorImages) {
+  const Outline play = outline({polygon({{100, 0}, {700, 350}, {100, 700}})});
+  const Outline pause =
+      outline({rectangle(100, 0, 300, 700), rectangle(450, 0, 650, 700)});
+  const Outline up = outline({polygon({{50, 0}, {650, 0}, {350, 500}})});
+  const Outline house = outline(
+      {polygon({{100, 50}, {600, 50}, {600, 400}, {350, 600}, {100, 400}})});
+  const Outline tie = outline({polygon({{0, 0},
+                                        {400, 100},
+                                        {700, 0},
+                                        {600, 350},
+                                        {700, 700},
+                                        {400, 600},
+                                        {0, 700}})});
+  const struct {
+    const Outline& first;
+    const Outline& second;
+    bool is_upright;
+  } kPairs[] = {{play, pause, false}, {pause, play, false}, {up, house, true},
+                {house, up, true},    {play, tie, false},   {tie, play, false}};
+  for (const auto& [first, second, is_upright] : kPairs) {
+    const std::optional<MorphPair> pair = find_morph(first, second);
+    ASSERT_TRUE(pair);
+    EXPECT_TRUE(quality_of(*pair).is_within(kMostAreaError));
+    for (int i = 0; i <= kSteps; ++i) {
+      EXPECT_LT(unlike_image(*pair, double{1} * i / kSteps, is_upright), 1e-6);
+    }
+  }
+}
+
 TEST(Morph, MastersSayWhatBecomesWhat) {
   // Both bars move to the right: the nearest one is not the partner.
   const Outline first =

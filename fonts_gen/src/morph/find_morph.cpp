@@ -5,6 +5,7 @@
 
 #include "morph/births.hpp"
 #include "morph/match_loops.hpp"
+#include "morph/match_mirrored.hpp"
 #include "morph/morph_look.hpp"
 #include "morph/morph_loop.hpp"
 #include "shape/points.hpp"
@@ -45,6 +46,7 @@ struct Plan {
   MorphPair pair;
   MorphQuality quality;
   int blemishes = -1;  // not known
+  bool is_mirrored = false;
   double cost = 0;
   // What it came from, to try again.
   MatchOptions options;
@@ -73,7 +75,10 @@ bool is_better(const Plan& a, const Plan& b) {
   if (a.is_good() != b.is_good()) {
     return a.is_good();
   }
-  return a.is_clean() != b.is_clean() ? a.is_clean() : a.cost < b.cost;
+  if (a.is_clean() != b.is_clean()) {
+    return a.is_clean();
+  }
+  return a.is_mirrored != b.is_mirrored ? a.is_mirrored : a.cost < b.cost;
 }
 
 // The earliest step at which a contour may be born without crossing another
@@ -241,13 +246,23 @@ class BodyMorph {
     MatchOptions options;
     options.far_u = far_u;
     options.parts = parts;
-    const MorphContour outer =
-        match_loops(bodies_[0]->outer, bodies_[1]->outer, options).contour;
+    add_plans(match_loops(bodies_[0]->outer, bodies_[1]->outer, options),
+              options, false);
+    if (const std::optional<LoopMatch> mirrored =
+            match_mirrored(bodies_[0]->outer, bodies_[1]->outer, options)) {
+      add_plans(*mirrored, options, true);
+    }
+  }
+
+  void add_plans(const LoopMatch& outer,
+                 const MatchOptions& options,
+                 bool is_mirrored) {
     for (const Fates& fates : all_fates_) {
       Plan plan;
       plan.options = options;
       plan.fates = &fates;
-      plan.pair.contours = {outer};
+      plan.is_mirrored = is_mirrored;
+      plan.pair.contours = {outer.contour};
       if (add_holes(plan)) {
         judge(plan);
         plans_.push_back(std::move(plan));
@@ -298,6 +313,7 @@ class BodyMorph {
         if (plan.quality.crossings.empty()) {
           break;  // the area is wrong, not the stops
         }
+        plan.is_mirrored = false;
         plan.pair.contours = {
             match_loops(bodies_[0]->outer, bodies_[1]->outer, options).contour};
         if (!add_holes(plan)) {
@@ -396,13 +412,14 @@ void pair_nearest(const std::vector<Body>& first, std::vector<Body>& second) {
 // Two bodies that one is cut into.
 struct Halves {
   std::vector<Body> bodies;
-  double cut = 0;   // its length [u]
-  double cost = 0;  // roughly
+  double cut = 0;            // its length [u]
+  double cost = 0;           // roughly
+  bool is_mirrored = false;  // each is the image of itself, and what it becomes
 };
 
 // Cuts the one body of `bodies` into those that become the two of `others`: the
-// best cuts, the shortest first. None: it has holes, or no chord through its
-// ink.
+// best cuts, first those that keep a symmetry, then the shortest. None: it has
+// holes, or no chord through its ink.
 std::vector<Halves> split(const std::vector<Body>& bodies,
                           const std::vector<Body>& others) {
   constexpr size_t kMostStops = 64;
@@ -432,27 +449,38 @@ std::vector<Halves> split(const std::vector<Body>& bodies,
         Loop parts[2] = {part_between(whole, stops[i], stops[j]),
                          part_between(whole, stops[j], stops[i])};
         const double cut = length(stops[i].at - stops[j].at);
-        const double cost = match_loops(parts[0], others[0].outer, quick).cost +
-                            match_loops(parts[1], others[1].outer, quick).cost;
+        const std::optional<LoopMatch> mirrored[] = {
+            match_mirrored(parts[0], others[0].outer, quick),
+            match_mirrored(parts[1], others[1].outer, quick)};
+        const bool is_mirrored = mirrored[0] && mirrored[1];
+        const double cost =
+            is_mirrored
+                ? mirrored[0]->cost + mirrored[1]->cost
+                : match_loops(parts[0], others[0].outer, quick).cost +
+                      match_loops(parts[1], others[1].outer, quick).cost;
         all.push_back({{{std::move(parts[0]), {}}, {std::move(parts[1]), {}}},
                        cut,
-                       cost});
+                       cost,
+                       is_mirrored});
       }
     }
   }
   std::stable_sort(
-      all.begin(), all.end(),
-      [](const Halves& a, const Halves& b) { return a.cost < b.cost; });
+      all.begin(), all.end(), [](const Halves& a, const Halves& b) {
+        return a.is_mirrored != b.is_mirrored ? a.is_mirrored : a.cost < b.cost;
+      });
   all.resize(std::min(all.size(), kMostSplits));
-  std::stable_sort(
-      all.begin(), all.end(),
-      [](const Halves& a, const Halves& b) { return a.cut < b.cut; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Halves& a, const Halves& b) {
+                     return !b.is_mirrored && (a.is_mirrored || a.cut < b.cut);
+                   });
   return all;
 }
 
 struct Morph {
   std::optional<MorphPair> pair;
   double cost = kInfinity;
+  bool is_mirrored = true;
 };
 
 // Of bodies of equal number, each with the one at its place.
@@ -460,6 +488,7 @@ Morph morph_bodies(const std::vector<Body>& first,
                    const std::vector<Body>& second) {
   MorphPair whole;
   double cost = 0;
+  bool is_mirrored = true;
   for (size_t i = 0; i < first.size(); ++i) {
     std::vector<Plan> plans = BodyMorph(first[i], second[i]).find();
     if (plans.empty() || !plans.front().is_good() ||
@@ -467,6 +496,7 @@ Morph morph_bodies(const std::vector<Body>& first,
       return {};
     }
     cost += plans.front().cost;
+    is_mirrored = is_mirrored && plans.front().is_mirrored;
     for (MorphContour& contour : plans.front().pair.contours) {
       whole.contours.push_back(std::move(contour));
     }
@@ -474,7 +504,7 @@ Morph morph_bodies(const std::vector<Body>& first,
   if (!quality_of(whole).is_within(kMostAreaError)) {
     return {};
   }
-  return {std::move(whole), cost};
+  return {std::move(whole), cost, is_mirrored};
 }
 
 }  // namespace
@@ -494,6 +524,9 @@ std::optional<MorphPair> find_morph(const Outline& first,
         break;
       }
     }
+  }
+  if (best.pair && best.is_mirrored) {
+    return best.pair;
   }
   for (size_t k = 0; k < 2; ++k) {
     while (bodies[k].size() > bodies[1 - k].size()) {

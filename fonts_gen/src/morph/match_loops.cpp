@@ -24,22 +24,6 @@ struct Advance {
 
 using Advances = std::vector<std::vector<Advance>>;
 
-MorphSide side_to(const LoopEdge& edge, int from, int to) {
-  MorphSide side;
-  const LoopEdge part = edge.is_jump ? edge : part_of(edge, from, to);
-  std::copy(std::begin(part.p), std::end(part.p), std::begin(side.p));
-  if (edge.is_jump) {
-    side.move = MorphMove::jump;
-    side.target = edge.target;
-  } else if (to == 8) {
-    side.move = MorphMove::to_end;
-  } else {
-    side.move = MorphMove::to_stop;
-    side.eighth = to;
-  }
-  return side;
-}
-
 Advances advances_of(const Loop& loop, const std::vector<LoopStop>& stops) {
   Advances all(stops.size());
   const size_t n = stops.size();
@@ -104,6 +88,7 @@ class Matcher {
         stops_{stops_of(a, options.parts), stops_of(b, options.parts)},
         advances_{advances_of(a, stops_[0]), advances_of(b, stops_[1])},
         n_{stops_[0].size(), stops_[1].size()},
+        end_{n_[0], n_[1]},
         most_{most_advances(advances_[0]), most_advances(advances_[1])} {
     costs_.resize(n_[0] * n_[1] * most_[0] * most_[1]);
     for (size_t i = 0; i < n_[0]; ++i) {
@@ -138,6 +123,17 @@ class Matcher {
         try_start(j);
       }
     }
+    return best_;
+  }
+
+  // Of loops that the last edge closes: all but this edge.
+  LoopMatch find_open() {
+    set_least_costs();
+    set_rest(0, 0);
+    best_.cost = kInfinity;
+    --end_[0];
+    --end_[1];
+    try_start(0);
     return best_;
   }
 
@@ -246,7 +242,7 @@ class Matcher {
         }
       }
     }
-    const float sum = sums_[n * width + m];
+    const float sum = sums_[end_[0] * width + end_[1]];
     if (sum < far) {
       keep(sum, start);
     }
@@ -261,8 +257,8 @@ class Matcher {
       contour.start[k] = {(*loops_[k])[static_cast<size_t>(stop.edge)].segment,
                           stop.eighth};
     }
-    size_t i = n_[0];
-    size_t j = n_[1];
+    size_t i = end_[0];
+    size_t j = end_[1];
     while (i + j != 0) {
       const size_t way = from_[i * (n_[1] + 1) + j];
       i -= way / 256;
@@ -283,6 +279,7 @@ class Matcher {
   std::vector<LoopStop> stops_[2];
   Advances advances_[2];
   size_t n_[2];
+  size_t end_[2];  // where the match is complete
   size_t most_[2];
   std::vector<float> costs_;
   std::vector<float> least_[2];
@@ -302,7 +299,40 @@ bool run_alike(const LoopEdge& a, const LoopEdge& b) {
          alike(a.p[2] - a.p[1], b.p[2] - b.p[1]);
 }
 
-// Edge by edge, if all run alike.
+// A path as a loop: an edge closes it.
+Loop loop_of(const Loop& path) {
+  Loop loop = path;
+  LoopEdge edge;
+  edge.is_jump = true;
+  edge.p[0] = path.back().p[2];
+  edge.p[2] = path.front().p[0];
+  edge.p[1] = middle(edge.p[0], edge.p[2]);
+  loop.push_back(edge);
+  return loop;
+}
+
+}  // namespace
+
+MorphSide side_to(const LoopEdge& edge, int from, int to) {
+  MorphSide side;
+  const LoopEdge part = edge.is_jump ? edge : part_of(edge, from, to);
+  std::copy(std::begin(part.p), std::end(part.p), std::begin(side.p));
+  if (edge.is_jump) {
+    side.move = MorphMove::jump;
+    side.target = edge.target;
+  } else if (to == 8) {
+    side.move = MorphMove::to_end;
+  } else {
+    side.move = MorphMove::to_stop;
+    side.eighth = to;
+  }
+  return side;
+}
+
+double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
+  return kPieceCost + cost_of(a, b, length_of(a), length_of(b), far_u);
+}
+
 std::optional<LoopMatch> match_edges(const Loop& a,
                                      const Loop& b,
                                      double far_u) {
@@ -333,10 +363,11 @@ std::optional<LoopMatch> match_edges(const Loop& a,
   return best;
 }
 
-}  // namespace
-
-double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u) {
-  return kPieceCost + cost_of(a, b, length_of(a), length_of(b), far_u);
+LoopMatch match_paths(const Loop& a,
+                      const Loop& b,
+                      const MatchOptions& options) {
+  const Loop loops[] = {loop_of(a), loop_of(b)};
+  return Matcher(loops[0], loops[1], options).find_open();
 }
 
 LoopMatch match_loops(const Loop& a,

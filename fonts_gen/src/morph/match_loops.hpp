@@ -1,6 +1,7 @@
 // Two loops piece by piece: which part of one becomes which part of the other.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "morph/morph_loop.hpp"
@@ -34,6 +35,19 @@ struct LoopMatch {
 LoopMatch match_loops(const Loop& a,
                       const Loop& b,
                       const MatchOptions& options);
+
+/// Edge by edge. None: not all of them run alike.
+std::optional<LoopMatch> match_edges(const Loop& a,
+                                     const Loop& b,
+                                     double far_u);
+
+/// Paths instead of loops: the ends of one become those of the other.
+LoopMatch match_paths(const Loop& a,
+                      const Loop& b,
+                      const MatchOptions& options);
+
+/// The side of a piece along an edge, from one eighth to another.
+MorphSide side_to(const LoopEdge& edge, int from, int to);
 
 /// The cost of a piece, without penalties.
 double piece_cost(const Point (&a)[3], const Point (&b)[3], double far_u);
