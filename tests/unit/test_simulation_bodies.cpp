@@ -361,3 +361,30 @@ TEST(soft_bodies_are_squashed_where_they_fall) {
     CHECK(steps >= 12 && steps <= 20);
   }
 }
+
+// A letter that is drawn wider than it is ends at those beside it, too.
+TEST(squashed_bodies_do_not_cover_others) {
+  make_models();
+  BodyRules rules;
+  rules.walls = {0, 0, 64, 64};
+  rules.overlap.raw = 3 << 10;
+  bodies[0] = Body();
+  bodies[0].shape = &models[2].shape;
+  bodies[0].x = Q16_16::from_int(17);
+  bodies[0].y = Q16_16::from_int(30);
+  bodies[1] = bodies[0];
+  bodies[1].x = Q16_16::from_int(44);  // 3 px apart
+  bodies[0].squash.raw = Body::kMostSquashQ14;
+  step({bodies, 2}, rules, contacts);
+  for (int i = 0; i < 2; ++i) {
+    CHECK_EQ(bodies[i].touches[0].with, 1 - i);
+    draw_pair(rules, i);
+  }
+  int32_t met = 0;
+  for (const auto [x, y] : pixels_of(64, 64)) {
+    const int32_t both = picture[0].at(x, y) + picture[1].at(x, y);
+    CHECK(both <= 300);
+    met += picture[0].at(x, y) > 20 && picture[1].at(x, y) > 20 ? 1 : 0;
+  }
+  CHECK(met > 0);
+}

@@ -15,6 +15,13 @@ int32_t near_q10(const Body& body) noexcept {
   return 2048 << body.shape->grid().scale_log2();
 }
 
+// How much farther a squashed body is drawn, at most. [px, Q10]
+int32_t wider_q10(const Body& body) noexcept {
+  const int32_t flat =
+      clamp(body.squash.raw + body.squash_speed_q14, 0, Body::kMostSquashQ14);
+  return body.shape->radius() * flat / 12;  // 4/3 of it
+}
+
 // Whether a force moves the body.
 bool can_move(const Body& body) noexcept {
   return !body.is_fixed && !body.is_asleep();
@@ -111,6 +118,16 @@ struct Finder {
         static_cast<uint8_t>(min(left_q10 / max(length, 1) >> 2, 255));
   }
 
+  // A neighbour that the body does not touch but as it is drawn.
+  void meet(Body& body, size_t with) const noexcept {
+    for (BodyTouch& touch : body.touches) {
+      if (touch.with == BodyTouch::kNothing || touch.with == with) {
+        touch.with = static_cast<uint8_t>(with);
+        return;
+      }
+    }
+  }
+
   // The memory of the candidates, all unused; null if there is too little.
   BodyContact* clean() const noexcept {
     if (contacts.size - count < kContactsOfPair) {
@@ -184,6 +201,11 @@ struct Finder {
     const int32_t apart_q10 = (rough - (rough >> 5) - (radii << 8)) * 4;
     overlap_q10 = min(overlap_of(a), overlap_of(b));
     const int32_t near = max(near_q10(a), near_q10(b));
+    const int32_t wider = wider_q10(a) + wider_q10(b);
+    if (wider > 0 && apart_q10 < near + wider) {
+      meet(a, second);
+      meet(b, first);
+    }
     if (apart_q10 >= near) {
       note_pair(a, b, -apart_q10);
       return;
