@@ -1,14 +1,14 @@
 #!/bin/sh
 # Runs the fuzzers of fonts, of outlines, of fonts in storage, of strikes, of
-# TrueType files, of shaping, of type that moves and of layers for a while, on all
-# cores, each for an eighth of the time:
+# TrueType files, of shaping, of type that moves, of layers and of figures for a
+# while, on all cores, each for a ninth of the time:
 #
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
 # New inputs gather in FOLDER/corpus, FOLDER/corpus_outline, FOLDER/corpus_stored,
 # FOLDER/corpus_strike, FOLDER/corpus_truetype, FOLDER/corpus_shaping,
-# FOLDER/corpus_moving and FOLDER/corpus_layers, in a folder for each core, and are the
-# start of the next run.
+# FOLDER/corpus_moving, FOLDER/corpus_layers and FOLDER/corpus_figures, in a folder for
+# each core, and are the start of the next run.
 # A crash ends it with an exit code; its input is FOLDER/crash-*. Put that into the
 # folder of the same name in tests/fuzz, with the fix: CTest runs all of them
 # (fuzz.corpus, fuzz.corpus_outline and so on).
@@ -31,9 +31,9 @@ mkdir -p "$folder/objects"
 flags="-std=c++17 -O1 -g -fsanitize=address,undefined
   -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1
   -Icore/include -Icore/src -Icore/field/include
-  -Icore/layers/include -Icore/motion/include -Icore/shaping/include -Icore/simulation/include
-  -Icore/stored/include
-  -Icore/strike/include -Icore/truetype/include
+  -Icore/figures/include -Icore/layers/include -Icore/motion/include
+  -Icore/shaping/include -Icore/simulation/include -Icore/stored/include
+  -Icore/strike/include -Icore/truetype/include -Iport/pixel/include
   -Itests/unit -Itests/hostile"
 
 # Objects of the sources given, side by side.
@@ -65,7 +65,7 @@ run() {
     mkdir -p "$folder/$corpus/$job"
     # shellcheck disable=SC2086  # options are meant to be split
     "$folder/$target" $common -artifact_prefix="$folder/" \
-      -max_total_time="$((seconds / 8))" -print_final_stats=1 \
+      -max_total_time="$((seconds / 9))" -print_final_stats=1 \
       "$folder/$corpus/$job" "tests/fuzz/$corpus" \
       >"$folder/$target-$job.log" 2>&1 &
     pids="$pids $!"
@@ -94,4 +94,5 @@ run fuzz_shaping corpus_shaping 4096 core/shaping/src/*.cpp
 compile core/motion/src/*.cpp core/simulation/src/*.cpp
 run fuzz_moving corpus_moving 6000
 run fuzz_layers corpus_layers 1024 core/layers/src/*.cpp
+run fuzz_figures corpus_figures 512 core/figures/src/*.cpp port/pixel/src/*.cpp
 exit $failed

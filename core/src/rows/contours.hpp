@@ -19,7 +19,8 @@ __attribute__((always_inline)) inline void cut_line(PixelPoint from,
   const int32_t dy = to.y - from.y;
   const int32_t length = max(abs(dx), abs(dy));
   uint32_t halvings = 0;
-  while (__builtin_expect(length >> halvings >= limit, 0)) {
+  // Roundings add up to less than a 256th a part, all of them in the last one.
+  while (__builtin_expect(length >> halvings > limit - (1 << halvings), 0)) {
     ++halvings;
   }
   // One call of `part` is smaller, two are faster.
@@ -32,7 +33,6 @@ __attribute__((always_inline)) inline void cut_line(PixelPoint from,
     part(at, next);
     at = next;
   }
-  // Roundings add up to less than a 256th a part: what is left is short, too.
   if (!kIsSmall) {
     part(at, to);
   }
