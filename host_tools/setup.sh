@@ -36,8 +36,8 @@ inkcell_packages_reading="python3 python3-freetype tesseract-ocr
 inkcell_packages_site="python3 doxygen mkdocs python3-pygments"
 
 inkcell_packages_first="$inkcell_packages_demo
-  git ccache libgtest-dev unicode-data fonts-roboto-unhinted fonts-liberation
-  fonts-inter-variable fonts-lato fonts-noto-cjk
+  git ccache libgtest-dev python3-fonttools unicode-data fonts-roboto-unhinted
+  fonts-liberation fonts-inter-variable fonts-lato fonts-noto-cjk
   fonts-lohit-deva fonts-tlwg-loma-ttf unifont xfonts-terminus"
 
 inkcell_packages_tests="$inkcell_packages_first $inkcell_packages_studio

@@ -15,6 +15,19 @@ import tempfile
 import unittest
 import zlib
 
+try:
+    from fontTools.colorLib import builder as colours_of
+except ImportError:
+    sys.path.append("/usr/lib/python3/dist-packages")  # Debian's
+    try:
+        from fontTools.colorLib import builder as colours_of
+    except ImportError:
+        colours_of = None
+if colours_of is not None:
+    from fontTools.fontBuilder import FontBuilder
+    from fontTools.pens.transformPen import TransformPen
+    from fontTools.pens.ttGlyphPen import TTGlyphPen
+
 import decoder
 from layers import read_layers
 from squares import Refused
@@ -78,6 +91,85 @@ def with_colours(font, layers, colours):
                                  len(table))
         body += table + bytes(-len(table) % 4)
     return directory + body
+
+
+# Paints that move glyph 'shape', and the same as a matrix: xx, xy, yx, yy, dx,
+# dy. An em has 1024 units.
+SHAPE = {"Format": 10, "Glyph": "shape",
+         "Paint": {"Format": 2, "PaletteIndex": 0, "Alpha": 1.0}}
+MOVES = [
+    ({"Format": 12, "Transform": (.5, .25, -.25, 1, 10, 20)},
+     (.5, .25, -.25, 1, 10, 20)),
+    ({"Format": 14, "dx": 128, "dy": -64}, (1, 0, 0, 1, 128, -64)),
+    ({"Format": 16, "scaleX": .5, "scaleY": 1.25}, (.5, 0, 0, 1.25, 0, 0)),
+    ({"Format": 18, "scaleX": .5, "scaleY": 1.5, "centerX": 100,
+      "centerY": 200}, (.5, 0, 0, 1.5, 50, -100)),
+    ({"Format": 20, "scale": .5}, (.5, 0, 0, .5, 0, 0)),
+    ({"Format": 22, "scale": .5, "centerX": 100, "centerY": 200},
+     (.5, 0, 0, .5, 50, 100)),
+    # Counter-clockwise, as skews of an axis are.
+    ({"Format": 24, "angle": 90}, (0, 1, -1, 0, 0, 0)),
+    ({"Format": 26, "angle": 90, "centerX": 100, "centerY": 200},
+     (0, 1, -1, 0, 300, 100)),
+    ({"Format": 28, "xSkewAngle": 45, "ySkewAngle": 0}, (1, 0, -1, 1, 0, 0)),
+    ({"Format": 30, "xSkewAngle": 0, "ySkewAngle": 45, "centerX": 100,
+      "centerY": 200}, (1, 1, 0, 1, 0, -100)),
+    # What is inside is moved first.
+    ({"Format": 14, "dx": 100, "dy": 0,
+      "Paint": {"Format": 20, "scale": .5, "Paint": SHAPE}},
+     (.5, 0, 0, .5, 100, 0)),
+    ({"Format": 20, "scale": .5,
+      "Paint": {"Format": 14, "dx": 100, "dy": 0, "Paint": SHAPE}},
+     (.5, 0, 0, .5, 50, 0)),
+]
+
+
+def fill(index, alpha=1.0):
+    return {"Format": 2, "PaletteIndex": index, "Alpha": alpha}
+
+
+def gradient(*stops):
+    """A linear one, of (place, colour, opacity)."""
+    return {"Format": 4, "x0": 0, "y0": 0, "x1": 500, "y1": 0, "x2": 0,
+            "y2": 500, "ColorLine": {"Extend": "pad", "ColorStop": [
+                {"StopOffset": at, "PaletteIndex": index, "Alpha": alpha}
+                for at, index, alpha in stops]}}
+
+
+def painted_font(paints, palette, moves=()):
+    """A font whose characters from A on have paints. Glyph 'shape' is there,
+    too, and as m0, m1 and so on moved."""
+    letters = [chr(0x41 + i) for i in range(len(paints))]
+    moved = [f"m{i}" for i in range(len(moves))]
+    made = FontBuilder(1024, isTTF=True)
+    made.setupGlyphOrder([".notdef", "space", *letters, "shape", *moved])
+    made.setupCharacterMap({0x20: "space", **{ord(c): c for c in letters}})
+
+    def shape(matrix=(1, 0, 0, 1, 0, 0)):
+        pen = TTGlyphPen(None)
+        out = TransformPen(pen, matrix)
+        out.moveTo((100, 0))
+        out.lineTo((300, 600))
+        out.qCurveTo((500, 400), (500, 0))
+        out.closePath()
+        return pen.glyph()
+
+    made.setupGlyf({
+        ".notdef": shape(), "space": TTGlyphPen(None).glyph(),
+        **{c: TTGlyphPen(None).glyph() for c in letters}, "shape": shape(),
+        **{name: shape(matrix) for name, matrix in zip(moved, moves)}})
+    made.setupHorizontalMetrics({
+        name: (700, getattr(made.font["glyf"][name], "xMin", 0))
+        for name in made.font.getGlyphOrder()})
+    made.setupHorizontalHeader(ascent=800, descent=-200)
+    made.setupNameTable({"familyName": "Paints", "styleName": "Regular"})
+    made.setupOS2()
+    made.setupPost()
+    made.font["COLR"] = colours_of.buildCOLR(
+        dict(zip(letters, paints)), version=1)
+    made.font["CPAL"] = colours_of.buildCPAL(
+        [[tuple(c / 255 for c in colour) for colour in palette]])
+    return made.font
 
 
 class Layers(unittest.TestCase):
@@ -160,6 +252,132 @@ class Layers(unittest.TestCase):
         for word in ("colours.ttf", "U+0041", "colour 2 of a palette of 2",
                      "repair table COLR"):
             self.assertIn(word, done.stderr)
+
+    def convert(self, font):
+        """The layers of a font of paints, and what the generator tells."""
+        source = self.folder / "paints.ttf"
+        out = self.folder / "paints.bin"
+        if isinstance(font, bytes):
+            source.write_bytes(font)
+        else:
+            font.save(source)
+        done = subprocess.run(
+            [FONTGEN, "--font", source, "--chars", "A-Z", "--colour",
+             "--no-layout-glyphs", "--max-px", "32", "--out", out],
+            capture_output=True, text=True)
+        if done.returncode != 0:
+            return None, done.stderr
+        header, sections = decoder.read_header(out.read_bytes())
+        if b"COLR" not in sections:
+            return (), done.stderr
+        return (read_layers(sections[b"COLR"], header.glyph_count),
+                done.stderr)
+
+    @unittest.skipIf(colours_of is None, "install python3-fonttools")
+    def test_paints_are_moved(self):
+        paints = []
+        for i, (move, _) in enumerate(MOVES):
+            moved = {"Paint": SHAPE, **move}
+            paints.append({"Format": 1, "Layers": [moved, {
+                "Format": 10, "Glyph": f"m{i}", "Paint": fill(1)}]})
+        layers, told = self.convert(painted_font(
+            paints, [(9, 8, 7, 255), (1, 2, 3, 255)],
+            [matrix for _, matrix in MOVES]))
+        self.assertIsNotNone(layers, told)
+        self.assertEqual(layers.palettes, [[(9, 8, 7, 255), (1, 2, 3, 255)]])
+        self.assertEqual(len(layers.lists), len(MOVES))
+        # Equal outlines are one.
+        for (first, below), (second, above) in layers.lists.values():
+            self.assertEqual((first, below, above), (second, 0, 1))
+        self.assertEqual(len({of[0][0] for of in layers.lists.values()}),
+                         len(MOVES))
+
+    @unittest.skipIf(colours_of is None, "install python3-fonttools")
+    def test_paints_are_layers(self):
+        def glyph(paint):
+            return {"Format": 10, "Glyph": "shape", "Paint": paint}
+        palette = [(200, 0, 0, 255), (0, 100, 0, 255), (0, 0, 80, 100)]
+        layers, told = self.convert(painted_font([
+            glyph(gradient((0, 0, 1.0), (1, 1, 1.0))),
+            # A gradient that is moved, of three stops.
+            glyph({"Format": 14, "dx": 9, "dy": 9, "Paint": gradient(
+                (0, 0, 1.0), (.5, 0, 1.0), (1, 0, 0.0))}),
+            glyph(fill(0xFFFF, 0.5)),
+            {"Format": 32, "CompositeMode": "src_over",
+             "BackdropPaint": glyph(fill(2, 0.5)),
+             "SourcePaint": {"Format": 11, "Glyph": "C"}},
+        ], palette))
+        self.assertIsNotNone(layers, told)
+        self.assertEqual(layers.palettes, [[
+            (100, 50, 0, 255), (200, 0, 0, 191), (0, 0, 80, 50)]])
+        shape = 6  # .notdef, the space, A to D
+        self.assertEqual(layers.lists, {
+            2: [(shape, 0)], 3: [(shape, 1)], 4: [(shape, 3 + 127)],
+            5: [(shape, 2), (shape, 3 + 127)]})
+        for word in ("gradients of 2 glyphs become their mean", "U+0041",
+                     "U+0042", "flat fills"):
+            self.assertIn(word, told)
+        self.assertNotIn("U+0043", told)
+
+    @unittest.skipIf(colours_of is None, "install python3-fonttools")
+    def test_paints_are_refused_with_a_remedy(self):
+        def glyph(paint):
+            return {"Format": 10, "Glyph": "shape", "Paint": paint}
+        flat = glyph(fill(0))
+        deep = flat
+        for _ in range(40):
+            deep = {"Format": 14, "dx": 0, "dy": 0, "Paint": deep}
+        wide = flat
+        for _ in range(3):
+            wide = {"Format": 1, "Layers": [wide] * 17}
+        for paint, words in (
+                ({"Format": 32, "CompositeMode": "src_in",
+                  "BackdropPaint": flat, "SourcePaint": flat},
+                 ("by mode 5", "lie over each other")),
+                ({"Format": 11, "Glyph": "A"}, ("circle",)),
+                ({"Format": 11, "Glyph": "B"}, ("circle",)),
+                ({"Format": 11, "Glyph": "shape"}, ("has no paint",)),
+                (deep, ("within each other",)),
+                (wide, ("more than 4096",)),
+                (fill(0), ("no glyph that bounds it",)),
+                (glyph(flat), ("more than a fill",)),
+                (glyph(fill(1)), ("colour 1 of a palette of 1",)),
+                (glyph(gradient((0, 0, 1.0), (1, 0xFFFF, 1.0))),
+                 ("gradient", "that of the text")),
+                (glyph({"Format": 3, "PaletteIndex": 0, "Alpha": 1.0,
+                        "VarIndexBase": 0}), ("vary along axes", "make an instance"))):
+            layers, told = self.convert(painted_font(
+                [paint, {"Format": 11, "Glyph": "A"}], [(1, 2, 3, 255)]))
+            self.assertIsNone(layers, paint)
+            for word in ("paints.ttf: U+0041", *words, "leave the character"):
+                self.assertIn(word, told)
+
+    @unittest.skipIf(colours_of is None, "install python3-fonttools")
+    def test_damaged_paints_are_refused_or_drawn(self):
+        source = self.folder / "good.ttf"
+        paints = [{"Format": 1, "Layers": [{"Paint": SHAPE, **move}, {
+            "Format": 10, "Glyph": "shape",
+            "Paint": gradient((0, 0, 1.0), (1, 1, 1.0))}]}
+                  for move, _ in MOVES]
+        font = painted_font(paints, [(9, 8, 7, 255), (1, 2, 3, 255)])
+        font.save(source)
+        good = source.read_bytes()
+        place, size = next(
+            struct.unpack_from(">II", good, 20 + 16 * i)
+            for i in range(struct.unpack_from(">H", good, 4)[0])
+            if good[12 + 16 * i:16 + 16 * i] == b"COLR")
+        draw = random.Random(2)
+        refused = 0
+        rounds = 60
+        for _ in range(rounds):
+            damaged = bytearray(good)
+            for _ in range(draw.randint(1, 3)):
+                damaged[place + draw.randrange(size)] = draw.randrange(256)
+            layers, told = self.convert(bytes(damaged))
+            refused += layers is None
+            if layers is None:
+                self.assertIn("paints.ttf: ", told)
+        self.assertTrue(10 < refused < rounds)
 
     def test_drawings_are_refused_with_a_remedy(self):
         many = [SHAPES["disc"].format(f' fill="#0000{n:02x}"')

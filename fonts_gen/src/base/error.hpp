@@ -43,6 +43,7 @@ struct Warning {
     unshaped,            // a text needs shaping, which a device does not
     no_morph,            // a pair of glyphs or masters has no morph
     shaping_dear,        // a script takes much work on the device
+    flat_gradients,      // of a font of several colours
   };
   Kind kind;
   std::string text;

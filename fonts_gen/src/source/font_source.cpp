@@ -24,8 +24,7 @@ bool has_picture(const FontFile& font, uint32_t glyph) {
   hb_blob_t* png = hb_ot_color_glyph_reference_png(font.hb(), glyph);
   hb_blob_t* svg = hb_ot_color_glyph_reference_svg(font.hb_face(), glyph);
   const bool found = hb_blob_get_length(png) + hb_blob_get_length(svg) != 0 ||
-                     hb_ot_color_glyph_get_layers(font.hb_face(), glyph, 0,
-                                                  nullptr, nullptr) != 0;
+                     has_layers(font, glyph);
   hb_blob_destroy(png);
   hb_blob_destroy(svg);
   return found;
@@ -39,28 +38,58 @@ bool has_area(const Outline& outline) {
       [](const Contour& contour) { return contour.segments.size() > 1; });
 }
 
+// Glyphs that a warning is about.
+struct GlyphNames {
+  size_t count = 0;
+  std::string text;
+
+  void add(const SourceGlyph& glyph) {
+    if (count <= kListedCharacters) {
+      text += count == 0 ? "" : ", ";
+      text += count < kListedCharacters ? glyph.name() : "...";
+    }
+    ++count;
+  }
+};
+
 void warn_of_pictures(const FontFile& file,
                       const SourceFont& font,
                       Warnings& warnings) {
-  std::string names;
-  size_t count = 0;
+  GlyphNames names;
   for (const SourceGlyph& glyph : font.glyphs) {
     if (!has_area(glyph.outline) && glyph.painted.empty() &&
         has_picture(file, glyph.source)) {
-      if (count < kListedCharacters) {
-        names += (count == 0 ? "" : ", ") + glyph.name();
-      }
-      ++count;
+      names.add(glyph);
     }
   }
-  if (count != 0) {
+  if (names.count != 0) {
     warnings.push_back(
         {Warning::Kind::no_outline,
-         file.file_name() + ": " + std::to_string(count) +
-             (count == 1 ? " glyph is" : " glyphs are") +
+         file.file_name() + ": " + std::to_string(names.count) +
+             (names.count == 1 ? " glyph is" : " glyphs are") +
              " a bitmap or a colour picture without an outline, and left "
              "empty: " +
-             names + (count > kListedCharacters ? ", ..." : "")});
+             names.text});
+  }
+}
+
+// Sets the layers of all glyphs that have some.
+void read_all_layers(const FontFile& file,
+                     SourceFont& font,
+                     Warnings& warnings) {
+  GlyphNames faded;
+  for (SourceGlyph& glyph : font.glyphs) {
+    if (!glyph.code_points.empty() && read_layers(file, glyph, warnings) != 0) {
+      faded.add(glyph);
+    }
+  }
+  if (faded.count != 0) {
+    warnings.push_back(
+        {Warning::Kind::flat_gradients,
+         file.file_name() + ": gradients of " + std::to_string(faded.count) +
+             (faded.count == 1 ? " glyph" : " glyphs") +
+             " become their mean, because a layer has one colour: " +
+             faded.text + "; give the font flat fills to choose others"});
   }
 }
 
@@ -306,9 +335,9 @@ SourceFont load_font(const FontFile& file,
   for (SourceGlyph& glyph : font.glyphs) {
     glyph.file_name = font.file_name;
     read_glyph(file, glyph, warnings);
-    if (request.has_colours && !glyph.code_points.empty()) {
-      read_layers(file, glyph, warnings);
-    }
+  }
+  if (request.has_colours) {
+    read_all_layers(file, font, warnings);
   }
   warn_of_pictures(file, font, warnings);
   font.kerning = read_kerning(file, kerning_glyphs(font, asked), jobs);
