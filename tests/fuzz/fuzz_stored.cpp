@@ -5,12 +5,15 @@
 // that fail, and bytes that differ each time. The rest is the file. What would
 // make open() refuse it at once is put right: magic, version and checksums.
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "exercise.hpp"
 #include "font_builder.hpp"
 #include "front_ends.hpp"
 #include "inkcell/fit.hpp"
+#include "inkcell/layers/colour_glyphs.hpp"
+#include "inkcell/layers/verify.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/stored/paged.hpp"
 #include "inkcell/stored/stored_font.hpp"
@@ -81,6 +84,34 @@ void repair(std::vector<uint8_t>& bytes) {
   font_builder::put_u32(at + paged::kHeaderCrc, crc);
 }
 
+// Layers, wherever the bytes of COLR are said to end.
+void use_layers(const StoredFont& stored,
+                const Style& style,
+                const uint8_t* choice) {
+  StoredLayers layers = stored.layers();
+  layers.bytes = choice[15] * 40u;
+  uint32_t colour = 0;
+  ColourGlyphs colours({&colour,
+                        [](void* canvas, uint32_t pixel) noexcept {
+                          return std::exchange(*static_cast<uint32_t*>(canvas),
+                                               pixel);
+                        },
+                        [](const LayerColour& from) noexcept -> uint32_t {
+                          return from.red + 1u;
+                        }});
+  colours.set_stored(layers).set_palette(choice[14]);
+  static_cast<void>(verify_layers(stored.font(), &layers));
+  Sink sink;
+  sink.window = {0, 0, 40, 40};
+  sink.coverage = [](void*, int32_t, int32_t, const uint8_t*, int32_t) {};
+  sink.solid = [](void*, int32_t, int32_t, int32_t) {};
+  for (uint16_t glyph = 0; glyph != 8; ++glyph) {
+    Painter(sink, {}, &colours)
+        .glyph(stored.font(), style, {4_px, 30_px}, glyph);
+    hostile::require(colour == 0, "the colour of the text is back");
+  }
+}
+
 }  // namespace
 
 void run(const uint8_t* data, size_t size) {
@@ -133,6 +164,9 @@ void run(const uint8_t* data, size_t size) {
     uint16_t found = 0;
     const Status status = font.glyph_of(glyph, found);
     hostile::require(status == Status::ok || found == 0, "glyph of no status");
+  }
+  if (font.has_outlines()) {
+    use_layers(stored, style, choice);
   }
   static_cast<void>(stored.verify());
   hostile::use_text(copy, {text, kChoiceBytes - 16}, style, origin);

@@ -86,12 +86,12 @@ run() {
 failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
-run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp \
-  core/strike/src/*.cpp
 run fuzz_strike corpus_strike 2048 core/strike/src/*.cpp
 run fuzz_truetype corpus_truetype 3000 core/truetype/src/*.cpp
 run fuzz_shaping corpus_shaping 4096 core/shaping/src/*.cpp
 compile core/motion/src/*.cpp core/simulation/src/*.cpp
+run fuzz_stored corpus_stored 4096 core/stored/src/*.cpp \
+  core/strike/src/*.cpp core/layers/src/*.cpp
 run fuzz_moving corpus_moving 6000
 run fuzz_layers corpus_layers 1024 core/layers/src/*.cpp
 run fuzz_figures corpus_figures 512 core/figures/src/*.cpp port/pixel/src/*.cpp

@@ -4,14 +4,18 @@
 #include "rom/paged_font.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "inkcell/fit.hpp"
+#include "inkcell/layers/colour_glyphs.hpp"
+#include "inkcell/layers/verify.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/stored/paged.hpp"
 #include "inkcell/stored/stored_font.hpp"
 #include "inkcell/strike/strike.hpp"
 #include "messages.hpp"
 #include "pipeline/generate.hpp"
+#include "sfnt_builder.hpp"
 
 namespace inkcell::gen::test {
 namespace {
@@ -185,6 +189,132 @@ TEST(PagedFont, DrawsStrikesAsTheFontInMappedMemory) {
   request.paged = 1024;
   EXPECT_TRUE(
       contains(error_of([&] { generate(request); }), "add --strike-only"));
+}
+
+// Three channels, each over what was there.
+struct ColourPaper {
+  std::vector<uint8_t> pixels =
+      std::vector<uint8_t>(3 * kPagedSide * kPagedSide, 90);
+  uint32_t colour = 0x102030;
+
+  static void put(void* context,
+                  int32_t x,
+                  int32_t y,
+                  const uint8_t* coverage,
+                  int32_t count) {
+    auto& self = *static_cast<ColourPaper*>(context);
+    for (int32_t i = 0; i < 3 * count; ++i) {
+      uint8_t& channel =
+          self.pixels[static_cast<size_t>(3 * (y * kPagedSide + x) + i)];
+      const int share = coverage == nullptr ? 255 : coverage[i / 3];
+      const int above = static_cast<uint8_t>(self.colour >> 8 * (i % 3));
+      channel = static_cast<uint8_t>(channel + (above - channel) * share / 255);
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    put(context, x, y, nullptr, count);
+  }
+  static uint32_t exchange(void* context, uint32_t pixel) noexcept {
+    return std::exchange(static_cast<ColourPaper*>(context)->colour, pixel);
+  }
+  static uint32_t pixel_of(const LayerColour& colour) noexcept {
+    return colour.red | uint32_t{colour.green} << 8 |
+           uint32_t{colour.blue} << 16;
+  }
+};
+
+// `layers`: null of a font in mapped memory.
+std::vector<uint8_t> draw_layers(const Font& font,
+                                 const StoredLayers* layers,
+                                 char32_t c) {
+  ColourPaper paper;
+  ColourGlyphs colours({&paper, ColourPaper::exchange, ColourPaper::pixel_of});
+  if (layers != nullptr) {
+    colours.set_stored(*layers);
+  }
+  const Sink sink = {{0, 0, kPagedSide, kPagedSide},
+                     &paper,
+                     ColourPaper::put,
+                     ColourPaper::solid};
+  Painter(sink, {}, &colours)
+      .glyph(font, Style(24_px), {Q26_6::from_int(4), Q26_6::from_int(30)},
+             font.glyph_or_notdef(c));
+  EXPECT_EQ(paper.colour, 0x102030u);
+  return paper.pixels;
+}
+
+TEST(PagedFont, DrawsLayersAsTheFontInMappedMemory) {
+  // So many that COLR takes several blocks.
+  constexpr int kDrawings = 24;
+  const TestFolder folder;
+  for (int i = 0; i < kDrawings; ++i) {
+    std::string text = "<svg viewBox='0 0 36 36'>";
+    for (int j = 0; j < 16; ++j) {
+      text += "<rect x='" + std::to_string(j) + "' y='" +
+              std::to_string(i % 6 + j) + "' width='" +
+              std::to_string(20 - i % 4) + "' height='" +
+              std::to_string(18 - j) + "' fill='#" +
+              std::to_string(100 + 37 * i + j) + "' opacity='" +
+              (j % 5 == 4 ? ".4'/>" : "1'/>");
+    }
+    folder.write("0x" + std::to_string(6000 + i) + ".svg",
+                 text +
+                     "<circle cx='18' cy='18' r='6' "
+                     "fill='currentColor'/></svg>");
+  }
+  GenerateRequest request = paged_request();
+  request.svg_folders = {folder.path()};
+  request.has_colours = true;
+  const std::vector<uint8_t> mapped_bytes = generate(request).bytes;
+  Font mapped;
+  ASSERT_EQ(Font::open({mapped_bytes.data(), mapped_bytes.size()}, mapped),
+            Status::ok);
+  request.paged = 512;
+  const std::vector<uint8_t> good = generate(request).bytes;
+  for (const size_t blocks : {1u, 4u, 30u}) {
+    std::vector<uint8_t> file = good;
+    std::vector<uint64_t> ram(StoredFont::ram_bytes(512, blocks) / 8 + 1);
+    StoredFont stored;
+    ASSERT_EQ(
+        StoredFont::open(
+            {read_file, &file},
+            {reinterpret_cast<uint8_t*>(ram.data()), 8 * ram.size()}, stored),
+        Status::ok);
+    EXPECT_EQ(stored.verify(), Status::ok);
+    const Font& font = stored.font();
+    const StoredLayers layers = stored.layers();
+    EXPECT_GT(layers.bytes, 1024u);
+    EXPECT_EQ(verify_layers(font, &layers), Status::ok);
+    for (char32_t c = 0x6000; c < 0x6000 + 24; c += c % 16 == 9 ? 7 : 1) {
+      const auto expected = draw_layers(mapped, nullptr, c);
+      const auto plain = draw_layers(font, nullptr, c);
+      EXPECT_EQ(draw_layers(font, &layers, c), expected);
+      // Without layers, the form of one colour.
+      EXPECT_NE(plain, expected);
+    }
+    EXPECT_EQ(draw_layers(font, &layers, U'A'),
+              draw_layers(mapped, nullptr, U'A'));
+    EXPECT_EQ(draw_layers(mapped, &layers, 0x6001),
+              draw_layers(mapped, nullptr, 0x6001));
+    EXPECT_EQ(stored.status(), Status::ok);
+    // A card that is gone, or of other bytes.
+    const auto plain = draw_layers(font, nullptr, 0x6001);
+    file.resize(file.size() - (layers.bytes + 514) / 512 * 512);
+    stored.clear();
+    EXPECT_EQ(draw_layers(font, &layers, 0x6001), plain);
+    EXPECT_EQ(stored.status(), Status::read_failed);
+    file = good;
+    stored.clear();
+    EXPECT_EQ(draw_layers(font, &layers, 0x6001),
+              draw_layers(mapped, nullptr, 0x6001));
+    for (size_t at = good.size() - 2048; at < good.size(); ++at) {
+      file[at] ^= static_cast<uint8_t>(at * 7);
+    }
+    stored.clear();
+    draw_layers(font, &layers, 0x6001);
+    EXPECT_EQ(verify_layers(font, &layers), Status::corrupt);
+    EXPECT_EQ(stored.verify(), Status::corrupt);
+  }
 }
 
 TEST(PagedFont, SaysWhatItDoesNotHold) {

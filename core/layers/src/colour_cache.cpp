@@ -97,7 +97,7 @@ class ColourPictures {
   __attribute__((noinline)) const KeptPicture* make(uint32_t key,
                                                     int32_t x,
                                                     int32_t y) const noexcept {
-    const LayerTable table(*call_.run.font);
+    const LayerTable table(*call_.run.font, call_.glyphs.stored_);
     const LayerTable::Range range = table.layers_of(call_.glyph);
     const Rect box = box_of(call_.run, call_.glyph, call_.at);
     if (range.first == range.end || is_empty(intersect(box, sink().window))) {

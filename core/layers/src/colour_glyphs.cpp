@@ -61,7 +61,7 @@ void ColourGlyphs::draw_layers(GlyphRun& run,
     return;
   }
   InnerRun inner(run, *self.glyphs_);
-  const LayerTable table(*run.font);
+  const LayerTable table(*run.font, self.stored_);
   LayerTable::Range range = table.layers_of(glyph);
   if (range.first == range.end || run.painter.sink().levels != nullptr) {
     inner.draw(glyph, placed);

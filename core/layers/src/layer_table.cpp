@@ -1,6 +1,6 @@
 #include "layer_table.hpp"
 
-#include "base/bytes.hpp"
+#include "base/bit_table.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell::detail {
@@ -9,28 +9,49 @@ namespace colr = format::layers;
 
 // At most 2^16 rows of 5 bits modulo 2^5, and 2^24 colours: bits wrap, but no
 // number is read outside of the section.
-LayerTable::LayerTable(const Font& font) noexcept
-    : bytes(font.section(format::section::kLayers)) {
-  if (bytes.size < colr::kBytes) {
+LayerTable::LayerTable(const Font& font, const StoredLayers* stored) noexcept
+    : section_(font.section(format::section::kLayers)) {
+  bytes = static_cast<uint32_t>(section_.size);
+  if (stored != nullptr && stored->font->rom().data == font.rom().data) {
+    stored_ = stored;
+    bytes = stored->bytes;
+  }
+  if (bytes < colr::kBytes) {
     return;
   }
-  const uint8_t* const at = bytes.data;
-  glyphs = load_u16(at + colr::kGlyphs);
-  colours = load_u16(at + colr::kColours);
-  palettes = at[colr::kPalettes];
-  glyph_bits = at[colr::kGlyphBits];
-  colour_bits = at[colr::kColourBits];
-  start_bits = at[colr::kStartBits];
+  glyphs = bits(8 * colr::kGlyphs, 16);
+  colours = bits(8 * colr::kColours, 16);
+  palettes = bits(8 * colr::kPalettes, 8);
+  glyph_bits = bits(8 * colr::kGlyphBits, 8);
+  colour_bits = bits(8 * colr::kColourBits, 8);
+  start_bits = bits(8 * colr::kStartBits, 8);
   first_bit_ = 8 * (colr::kBytes + colr::kColourBytes * colours * palettes);
 }
 
+uint32_t LayerTable::bits(uint32_t bit, uint32_t width) const noexcept {
+  if (stored_ == nullptr) {
+    return read_any_bits(section_, bit, width);
+  }
+  return width > format::bit_table::kMaxBits
+             ? 0
+             : stored_->word(*stored_->font, bit / 8) >> bit % 8 &
+                   ~(~uint32_t{0} << width);
+}
+
 LayerTable::Range LayerTable::layers_of(uint16_t glyph) const noexcept {
-  const BitTable table = rows();
-  const uint32_t row = table.find(0, glyphs, glyph_bits, glyph);
+  // Invariant: the row, if there is one, is at row <= i < end.
+  uint32_t row = 0;
+  for (uint32_t end = glyphs; row < end;) {
+    const uint32_t middle = row + (end - row) / 2;
+    if (glyph_at(middle) < glyph) {
+      row = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
   Range range;
-  if (row != BitTable::kAbsent) {
-    range.first = table.get(row, glyph_bits, start_bits);
-    range.end = table.get(row + 1, glyph_bits, start_bits);
+  if (row < glyphs && glyph_at(row) == glyph) {
+    range = {start_at(row), start_at(row + 1)};
     if (range.end - range.first > colr::kMaxLayers) {
       range.end = range.first;
     }
@@ -39,12 +60,10 @@ LayerTable::Range LayerTable::layers_of(uint16_t glyph) const noexcept {
 }
 
 Layer LayerTable::layer(uint32_t number) const noexcept {
-  const uint32_t bit = layers_bit() + number * (glyph_bits + colour_bits);
-  return {
-      static_cast<uint16_t>(read_any_bits(bytes, bit, glyph_bits)),
-      static_cast<uint16_t>(
-          read_any_bits(bytes, bit + glyph_bits, colour_bits)),
-  };
+  const uint32_t bit =
+      row_bit(glyphs + 1) + number * (glyph_bits + colour_bits);
+  return {static_cast<uint16_t>(bits(bit, glyph_bits)),
+          static_cast<uint16_t>(bits(bit + glyph_bits, colour_bits))};
 }
 
 LayerColour LayerTable::colour(uint32_t palette,
@@ -55,9 +74,11 @@ LayerColour LayerTable::colour(uint32_t palette,
   }
   const uint32_t at =
       colr::kBytes + colr::kColourBytes * (palette * colours + number);
-  if (at + colr::kColourBytes <= bytes.size) {
-    const uint8_t* const from = bytes.data + at;
-    colour = {from[0], from[1], from[2], from[3]};
+  if (at + colr::kColourBytes <= bytes) {
+    const auto channel = [&](uint32_t i) noexcept {
+      return static_cast<uint8_t>(bits(8 * (at + i), 8));
+    };
+    colour = {channel(0), channel(1), channel(2), channel(3)};
   }
   return colour;
 }

@@ -1,12 +1,12 @@
-// Section COLR: layers of glyphs and palettes, read in place.
+// Section COLR: layers of glyphs and palettes, read in place or from storage.
 #pragma once
 
 #include <stdint.h>
 
-#include "base/bit_table.hpp"
 #include "inkcell/canvas_colour.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
+#include "inkcell/storage.hpp"
 
 namespace inkcell::detail {
 
@@ -18,8 +18,9 @@ struct Layer {
 /// Safe on any bytes: what lies outside of the section is 0.
 class LayerTable {
  public:
-  /// Without the section it has no glyph.
-  explicit LayerTable(const Font& font) noexcept;
+  /// Without the section it has no glyph. `stored` may be null, or of another
+  /// font.
+  LayerTable(const Font& font, const StoredLayers* stored) noexcept;
 
   /// The layers of a glyph, first to end - 1; none if there are too many.
   struct Range {
@@ -33,7 +34,7 @@ class LayerTable {
   /// A colour of a palette, or opaque black if there is none.
   LayerColour colour(uint32_t palette, uint32_t number) const noexcept;
 
-  Span<const uint8_t> bytes;
+  uint32_t bytes = 0;  // of the section
   uint32_t glyphs = 0;
   uint32_t colours = 0;  // of a palette
   uint32_t palettes = 0;
@@ -41,15 +42,22 @@ class LayerTable {
   uint32_t colour_bits = 0;
   uint32_t start_bits = 0;
 
-  /// The rows of glyphs, and the bit at which layers begin.
-  BitTable rows() const noexcept {
-    return {&bytes, first_bit_, glyph_bits + start_bits};
+  /// The glyph of a row, and its first layer.
+  uint32_t glyph_at(uint32_t row) const noexcept {
+    return bits(row_bit(row), glyph_bits);
   }
-  uint32_t layers_bit() const noexcept {
-    return first_bit_ + (glyphs + 1) * (glyph_bits + start_bits);
+  uint32_t start_at(uint32_t row) const noexcept {
+    return bits(row_bit(row) + glyph_bits, start_bits);
   }
 
  private:
+  uint32_t bits(uint32_t bit, uint32_t width) const noexcept;
+  uint32_t row_bit(uint32_t row) const noexcept {
+    return first_bit_ + row * (glyph_bits + start_bits);
+  }
+
+  Span<const uint8_t> section_;
+  const StoredLayers* stored_ = nullptr;  // instead of these
   uint32_t first_bit_ = 0;
 };
 

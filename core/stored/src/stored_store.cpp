@@ -372,8 +372,15 @@ int32_t StoredStore::kerning_of(const FontPages& pages,
   return font.kerning(left, right);
 }
 
+uint32_t StoredStore::layers_bytes() const noexcept {
+  const Span<const uint8_t> bytes = font_.section(format::section::kLayers);
+  return bytes.size == paged::kLayersBytes ? load_u32(bytes.data) : 0;
+}
+
 Status StoredStore::verify() noexcept {
-  const uint32_t last = last_page() + (kern_end_ != 0 ? 1 : 0);
+  const uint32_t layers = layers_bytes();
+  const uint32_t last =
+      before_layers() + (layers == 0 ? 0 : (layers + 2) / block_bytes_ + 1);
   const uint32_t slot = slot_count_ - 1;
   uint32_t crc = 0;
   for (uint32_t block = 1; block <= last; ++block) {

@@ -24,6 +24,9 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   const Font& font() const noexcept { return font_; }
   Status status() const noexcept { return status_; }
   StoredStats stats() const noexcept { return stats_; }
+  // Of section COLR, behind the pairs; and a word of it (StoredLayers).
+  uint32_t layers_bytes() const noexcept;
+  static uint32_t layers_word(const Font& font, uint32_t at) noexcept;
 
   // The font and the id there that draw a glyph of `font`, which is font() or a
   // copy of it; null: there is no such glyph.
@@ -70,6 +73,9 @@ class __attribute__((may_alias)) StoredStore : public FontPages {
   bool page_holds(uint32_t glyph) const noexcept;
   uint32_t last_page() const noexcept {
     return index_counts_[0] + index_counts_[1] + page_count_;
+  }
+  uint32_t before_layers() const noexcept {
+    return last_page() + (kern_end_ != 0 ? 1 : 0);
   }
 
   uint8_t* resident() const noexcept {

@@ -295,7 +295,8 @@ std::string encode_stored_header(const RomFont& font, const std::string& name) {
   const uint32_t block = u16(paged::kBlockBytes);
   const uint32_t pairs = u16(paged::kKernEnd) != 0 ? 1 : 0;
   const uint32_t pages = u16(paged::kPages);
-  const uint32_t all = bytes / block - 1 - pages - pairs;
+  const auto layers = static_cast<uint32_t>(font.report.bytes.layers) / block;
+  const uint32_t all = bytes / block - 1 - pages - pairs - layers;
   const uint32_t fan_out = block / paged::entry::kBytes;
   const uint32_t index = all == 0 ? 0 : (pages + fan_out - 1) / fan_out;
   std::string out = hpp_head(font, ": C has no StoredFont");

@@ -331,6 +331,11 @@ void check_paged_font(const std::vector<uint8_t>& bytes,
     check_metrics(font, glyphs.back(), content);
   }
   check_kerning(font, glyphs, content);
+  const StoredLayers layers = stored.layers();
+  if (verify_layers(font, &layers) != Status::ok ||
+      (layers.bytes == 0) != content.layers.glyphs.empty()) {
+    differ(content, "its layers");
+  }
 }
 
 }  // namespace inkcell::gen

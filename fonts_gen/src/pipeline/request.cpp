@@ -139,8 +139,6 @@ void check_request(const GenerateRequest& request) {
       {request.has_colours && (!is_outline || request.strike_only),
        "--colour makes layers of outlines; leave --coding field and "
        "--strike-only out"},
-      {request.has_colours && is_paged,
-       "--colour needs a font in mapped memory; leave --paged out"},
       {request.has_colours && has_masters,
        "--colour: layers have no second masters; give --axis one value"},
       {is_outline && target.predicate == Predicate::fixed,

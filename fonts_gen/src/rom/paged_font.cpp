@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/byte_writer.hpp"
@@ -55,8 +56,22 @@ size_t drawn_bytes(const RomContent& content, uint16_t glyph) {
                    strikes_section(strikes_of(content, 1, {}), true).size();
 }
 
+// In the place of a character: a layer has none. Pages of layers are the last.
+constexpr char32_t kNoCharacter = 0x110000;
+
 // The first glyph of the first page; before it there is .notdef.
 constexpr size_t kFirstGlyph = 1;
+
+// The glyphs that are layers.
+std::set<uint16_t> layers_of(const RomContent& content) {
+  std::set<uint16_t> glyphs;
+  for (const RomLayers::Glyph& of : content.layers.glyphs) {
+    for (const RomLayers::Layer& layer : of.layers) {
+      glyphs.insert(static_cast<uint16_t>(layer.glyph));
+    }
+  }
+  return glyphs;
+}
 
 struct Page {
   char32_t first_code_point = 0;
@@ -73,7 +88,11 @@ class PageMaker {
     std::vector<Page> pages;
     Characters taken;
     std::optional<Page> made;
-    for (const auto& character : content_.glyph_of) {
+    Characters all(content_.glyph_of.begin(), content_.glyph_of.end());
+    for (const uint16_t layer : layers_of(content_)) {
+      all.emplace_back(kNoCharacter, layer);
+    }
+    for (const auto& character : all) {
       taken.push_back(character);
       std::optional<Page> next = page(taken);
       if (!next.has_value() && made.has_value()) {
@@ -111,7 +130,9 @@ class PageMaker {
           part.hints.glyphs.push_back(content_.hints.glyphs[glyph]);
         }
       }
-      part.glyph_of[code_point] = place->second;
+      if (code_point != kNoCharacter) {
+        part.glyph_of[code_point] = place->second;
+      }
     }
     // Widens no column.
     part.glyphs[0].metrics = part.glyphs[1].metrics;
@@ -151,8 +172,10 @@ class PageMaker {
       const std::pair<const char32_t, uint16_t>& character) const {
     const bool is_largest = content_.block_bytes == paged::kMaxBlockBytes;
     throw Error(
-        content_.name + ": " + describe(character.first) + " takes " +
-        std::to_string(drawn_bytes(content_, character.second)) +
+        content_.name + ": " +
+        (character.first == kNoCharacter ? "a layer"
+                                         : describe(character.first)) +
+        " takes " + std::to_string(drawn_bytes(content_, character.second)) +
         " bytes beside its tables, a block " +
         std::to_string(content_.block_bytes) + "; " +
         (!is_largest ? "use --paged " + std::to_string(2 * content_.block_bytes)
@@ -164,8 +187,40 @@ class PageMaker {
   const HintCode& code_;
 };
 
+// COLR of the ids of pages, empty if there are no layers.
+Bytes paged_layers(const RomContent& content,
+                   const std::vector<Page>& pages,
+                   size_t first_glyph) {
+  std::vector<size_t> glyphs;
+  std::map<size_t, size_t> id_of;  // of a layer, which is there once
+  for (const Page& page : pages) {
+    for (const uint16_t glyph : page.glyphs) {
+      id_of[glyph] = first_glyph + glyphs.size();
+      glyphs.push_back(glyph);
+    }
+  }
+  std::map<size_t, const RomLayers::Glyph*> list_of;
+  for (const RomLayers::Glyph& of : content.layers.glyphs) {
+    list_of[of.glyph] = &of;
+  }
+  RomLayers made;
+  made.palettes = content.layers.palettes;
+  for (size_t i = 0; i < glyphs.size(); ++i) {
+    const auto found = list_of.find(glyphs[i]);
+    if (found != list_of.end()) {
+      made.glyphs.push_back({first_glyph + i, found->second->layers});
+      for (RomLayers::Layer& layer : made.glyphs.back().layers) {
+        layer.glyph = id_of[layer.glyph];
+      }
+    }
+  }
+  return layers_section(made);
+}
+
 // The font of .notdef.
-Bytes resident_font(const RomContent& content, const HintCode& code) {
+Bytes resident_font(const RomContent& content,
+                    const HintCode& code,
+                    size_t layers_bytes) {
   RomContent part;
   part.options = content.options;
   part.glyphs.push_back(bare(content.glyphs[0]));
@@ -185,6 +240,11 @@ Bytes resident_font(const RomContent& content, const HintCode& code) {
   }
   if (!content.hints.empty()) {
     sections.push_back({section::kGrid, 0, code.section(), &PartBytes::hints});
+  }
+  if (layers_bytes != 0) {
+    Bytes size;
+    put_u32(size, static_cast<uint32_t>(layers_bytes));
+    sections.push_back({section::kLayers, 0, size, &PartBytes::layers});
   }
   PartBytes parts;
   return assemble_font(content, part.glyphs.size(), sections, parts);
@@ -260,7 +320,8 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   const HintCode code = content.hint_code();
   std::vector<Page> pages = PageMaker(content, code).pages();
   const size_t block = content.block_bytes;
-  const Bytes font = resident_font(content, code);
+  Bytes layers = paged_layers(content, pages, kFirstGlyph);
+  const Bytes font = resident_font(content, code, layers.size());
   const size_t taken = paged::kBytes + entry::kBytes + font.size();
   if (taken > paged::kMaxResidentBytes) {
     throw Error(content.name + ": the resident part takes " +
@@ -326,6 +387,12 @@ std::vector<uint8_t> write_paged_font(const RomContent& content,
   parts.glyphs = out.size() - parts.total();
   out.insert(out.end(), kerning.begin(), kerning.end());
   parts.kerning = kerning.size();
+  if (!layers.empty()) {
+    // A reader takes four bytes at once.
+    layers.resize((layers.size() + 2) / block * block + block);
+  }
+  out.insert(out.end(), layers.begin(), layers.end());
+  parts.layers = layers.size();
   set_u32(out, paged::kContentCrc,
           crc32(out.data() + block, out.size() - block));
   set_u32(out, paged::kHeaderCrc,

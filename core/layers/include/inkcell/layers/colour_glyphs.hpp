@@ -16,6 +16,7 @@
 #include "inkcell/canvas_colour.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
+#include "inkcell/storage.hpp"
 
 namespace inkcell {
 
@@ -55,6 +56,14 @@ class ColourGlyphs : public detail::GlyphDrawer {
     return *this;
   }
 
+  /// Draws layers of a font in storage, too: StoredFont::layers(), which must
+  /// outlive it. Without them its glyphs have one colour.
+  ColourGlyphs& set_stored(const StoredLayers& layers) noexcept {
+    stored_ = &layers;
+    return *this;
+  }
+  ColourGlyphs& set_stored(const StoredLayers&&) = delete;
+
   /// Keeps glyphs of several colours as pictures (colour_cache.hpp). `cache`
   /// must outlive it.
   ColourGlyphs& set_cache(ColourCache& cache) noexcept;
@@ -71,6 +80,7 @@ class ColourGlyphs : public detail::GlyphDrawer {
   CanvasColour canvas_;
   const detail::GlyphDrawer* glyphs_;
   Span<const LayerColour> colours_;
+  const StoredLayers* stored_ = nullptr;
   ColourCache* pictures_ = nullptr;
   // False: nothing was drawn.
   bool (*draw_picture_)(const detail::LayerCall& call) noexcept = nullptr;

@@ -4,12 +4,14 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/storage.hpp"
 
 namespace inkcell {
 
 /// Reads all layers of a font, which Font::verify() does not: docs/FORMAT.md
 /// says what it finds. Never needed for safety. corrupt: something does not
-/// fit.
-Status verify_layers(const Font& font) noexcept;
+/// fit. Those of a font in storage are read by `stored`, its own.
+Status verify_layers(const Font& font,
+                     const StoredLayers* stored = nullptr) noexcept;
 
 }  // namespace inkcell

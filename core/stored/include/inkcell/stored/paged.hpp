@@ -32,6 +32,10 @@ inline constexpr uint32_t kMinBlockBytes = 512;
 inline constexpr uint32_t kMaxBlockBytes = 4096;
 inline constexpr uint32_t kMaxLevels = 2;
 
+// Of COLR in the resident font: u32, the bytes of the section, which follows
+// the pairs in blocks of its own; 3 bytes at least follow it there.
+inline constexpr uint32_t kLayersBytes = 4;
+
 // An entry of the index, all of u16.
 namespace entry {
 inline constexpr uint32_t kGlyph = 0;

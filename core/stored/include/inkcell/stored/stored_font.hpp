@@ -85,6 +85,11 @@ class StoredFont {
 
   StoredStats stats() const noexcept;
 
+  /// For ColourGlyphs::set_stored(), of a font made with --colour. A colour
+  /// glyph is a read of a block for each of its layers, and up to four more,
+  /// where the RAM does not hold them.
+  StoredLayers layers() const noexcept;
+
   /// Reads the whole font and compares its checksum. corrupt: it differs.
   Status verify() noexcept;
 
