@@ -21,9 +21,10 @@ LayerTable::LayerTable(const Font& font, const StoredLayers* stored) noexcept
   }
   glyphs = bits(8 * colr::kGlyphs, 16);
   colours = bits(8 * colr::kColours, 16);
-  palettes = bits(8 * colr::kPalettes, 8);
-  glyph_bits = bits(8 * colr::kGlyphBits, 8);
-  colour_bits = bits(8 * colr::kColourBits, 8);
+  const uint32_t three = bits(8 * colr::kPalettes, 24);
+  palettes = three & 255;
+  glyph_bits = three >> 8 & 255;
+  colour_bits = three >> 16;
   start_bits = bits(8 * colr::kStartBits, 8);
   first_bit_ = 8 * (colr::kBytes + colr::kColourBytes * colours * palettes);
 }
@@ -75,10 +76,11 @@ LayerColour LayerTable::colour(uint32_t palette,
   const uint32_t at =
       colr::kBytes + colr::kColourBytes * (palette * colours + number);
   if (at + colr::kColourBytes <= bytes) {
-    const auto channel = [&](uint32_t i) noexcept {
-      return static_cast<uint8_t>(bits(8 * (at + i), 8));
-    };
-    colour = {channel(0), channel(1), channel(2), channel(3)};
+    const uint32_t channels = bits(8 * at, 24);
+    colour = {static_cast<uint8_t>(channels),
+              static_cast<uint8_t>(channels >> 8),
+              static_cast<uint8_t>(channels >> 16),
+              static_cast<uint8_t>(bits(8 * at + 24, 8))};
   }
   return colour;
 }
