@@ -49,6 +49,9 @@ CALLS_WORDS = ["put_word", "next", "continues", "begin_cluster", "begin_characte
                "advance", "lay_out_in", "draw_line", "find_end", "shorten_line", "find",
                "look", "open"]
 
+# Who asks for the face of a span, which FaceSpans names.
+CALLS_SPANS = {"find_in_spans": ["find_shown", "find_glyph"]}
+
 # Where drawing begins.
 DRAWING = re.compile(r"^inkcell::Painter::")
 
@@ -118,7 +121,10 @@ class Chains:
             name = short(self.names[symbol])
             members = [member for member, callers in CALLS_BIDI.items()
                        if name in callers]
-            if not members and name not in (CALLS_FITTER + CALLS_SINK + CALLS_REPORT +
+            spans = [target for target in self.names
+                     if name in CALLS_SPANS.get(short(self.names[target]), ())]
+            targets |= set(spans)
+            if not members and not spans and name not in (CALLS_FITTER + CALLS_SINK + CALLS_REPORT +
                                             CALLS_PAGES + CALLS_WORDS):
                 self.unknown.add(name)
             targets |= {self.bidi[member] for member in members}

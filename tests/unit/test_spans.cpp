@@ -163,6 +163,70 @@ TEST(spans_have_a_style) {
   CHECK(bolder.lies_in(span_box(box, kWords, {3, 5, &bold}, bolder.sink())));
 }
 
+TEST(spans_have_a_size) {
+  constexpr const char* kText = "AB AA A";
+  const Font font = layout_font::open(rom);
+  const Style large(24_px);
+  const Face faces[] = {{&font, &large}};
+  const FaceSpan list[] = {{3, 5, 1}};
+  const FaceSpans spans(list);
+  TextBox box = make_box(font);
+  box.options.line_height = 24_px;
+  box.options.fallback = faces;
+  CHECK_EQ(box.measure("AB AA", Painter()).width.raw, (4 * 9 + 6) * 64);
+  box.options.spans = &spans;
+  CHECK_EQ(box.measure("AB AA", Painter()).width.raw, (6 * 9 + 6) * 64);
+  // Lines break by advances: 60 px hold no more than "AB AA".
+  TextLine room[3];
+  Span<const TextLine> lines;
+  CHECK_OK(box.lay_out(kText, Painter(), room, lines));
+  CHECK(lines.size == 2 && lines[0].length == 5);
+  // As by hand, on one baseline; and in parts, of other colours perhaps.
+  const auto at = [&](int32_t x) {
+    return Point{Q26_6::from_int(x),
+                 Q26_6::from_raw(2 * 64 + baseline(box.options).raw)};
+  };
+  Paper whole;
+  box.draw("AB AA", whole.sink());
+  Paper parts;
+  const Sink sink = parts.sink();
+  const Painter painter(sink);
+  painter.text(font, kStyle, at(2), "AB");
+  painter.text(font, large, at(26), "A");
+  parts.next_glyph();
+  painter.text(font, large, at(44), "A");
+  CHECK(whole.ink() > 0 && whole == parts);
+  parts.clear();
+  draw_span(box, "AB AA", {0, 3}, painter);
+  CHECK(parts.ink() > 0 && parts.lies_in({0, 0, 26, 48}));
+  draw_span(box, "AB AA", {3}, painter);
+  CHECK(parts == whole);
+  // From C.
+  const inkcell_face_span_t list_in_c = {3, 5, 1};
+  inkcell_face_spans_t in_c;
+  inkcell_face_spans_init(&list_in_c, 1, &in_c);
+  box.options.spans = reinterpret_cast<const FaceSpans*>(&in_c);
+  CHECK_EQ(box.measure("AB AA", Painter()).width.raw, (6 * 9 + 6) * 64);
+  // An ellipsis is of the box's face; no face, no span.
+  const FaceSpan all[] = {{0, SIZE_MAX, 1}};
+  const FaceSpans whole_text(all);
+  box.options.spans = &whole_text;
+  box.options.ellipsis = Ellipsis::end;
+  box.rect.y1 = 26;
+  CHECK_OK(box.lay_out(kText, Painter(), room, lines));
+  CHECK(lines.size == 1 && lines[0].has_ellipsis);
+  PositionedGlyph glyph_room[12];
+  Span<const PositionedGlyph> glyphs;
+  CHECK_OK(lay_out(box.options, Painter(), kText, lines[0], 60_px, glyph_room,
+                   glyphs));
+  CHECK(glyphs.size > 1 && glyphs[0].face == 1);
+  CHECK_EQ(int{glyphs[glyphs.size - 1].face}, 0);
+  const FaceSpan beyond[] = {{0, SIZE_MAX, 2}};
+  const FaceSpans none(beyond);
+  box.options.spans = &none;
+  CHECK_EQ(box.measure("AB AA", Painter()).width.raw, (4 * 9 + 6) * 64);
+}
+
 TEST(spans_are_the_same_in_c) {
   static_assert(INKCELL_SPAN_UNDERLINE == TextSpan::kUnderline, "");
   static_assert(INKCELL_SPAN_STRIKE_THROUGH == TextSpan::kStrikeThrough, "");

@@ -123,19 +123,19 @@ Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
 }
 
 // The glyph to draw, .notdef where a character shows something that no face
-// has; not found: there is none, but perhaps an advance.
+// has; not found: there is none, but perhaps an advance. That becomes `x_end`.
 Pen::Glyph Pen::find_shown(uint32_t code_point,
                            Shown shown,
-                           int32_t& advance_out) const noexcept {
-  advance_out = 0;
+                           LineCell& cell) const noexcept {
+  cell.x_end = 0;
   if (shown == Shown::nothing) {
     return {};
   }
-  Glyph glyph = find(code_point);
+  Glyph glyph = find_in(code_point, cell);
   if (shown == Shown::space && !glyph.is_found) {
     const uint32_t halves = halves_of_em(code_point);
     if (halves != 0) {
-      advance_out = em() * static_cast<int32_t>(halves) / 2;
+      cell.x_end = em() * static_cast<int32_t>(halves) / 2;
       return {};
     }
     glyph = find(' ');
@@ -153,7 +153,7 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
     }
   }
   glyph.is_found = true;
-  advance_out = advance(glyph);
+  cell.x_end = advance(glyph);
   return glyph;
 }
 
@@ -287,21 +287,19 @@ void Pen::look_up(uint32_t code_point, uint8_t level, LineCell& cell) noexcept {
       (is_placed || joins(code_point))) {
     setting_.painter.report()->note(Status::needs_shaping);
   }
-  int32_t advance = 0;
-  const Glyph glyph = find_shown(code_point, shown, advance);
+  const Glyph glyph = find_shown(code_point, shown, cell);
   cell.glyph = glyph.id;
   cell.face = glyph.face;
   cell.has_ink = glyph.is_found && shown != Shown::space;
   const bool is_tabular =
       options().tabular_digits && code_point - '0' < 10 && glyph.is_found;
-  cell.kind = is_mark_itself                   ? CellKind::mark
-              : glyph.is_found && !is_tabular  ? CellKind::kerned
-              : glyph.is_found || advance != 0 ? CellKind::base
-                                               : CellKind::other;
-  cell.x_end = advance;
+  cell.kind = is_mark_itself                      ? CellKind::mark
+              : glyph.is_found && !is_tabular     ? CellKind::kerned
+              : glyph.is_found || cell.x_end != 0 ? CellKind::base
+                                                  : CellKind::other;
   if (is_tabular) {
+    cell.x_glyph = (digit_width() - cell.x_end) / 2;
     cell.x_end = digit_width();
-    cell.x_glyph = (cell.x_end - advance) / 2;
   }
 }
 

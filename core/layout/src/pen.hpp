@@ -134,13 +134,15 @@ class Pen {
   Sign ellipsis() const noexcept;
   Sign hyphen() const noexcept;
 
-  struct Glyph {
-    uint16_t id = 0;
-    uint8_t face = 0;
-    bool is_found = false;
-  };
+  using Glyph = FaceGlyph;
   // In the first face that has it.
   Glyph find(uint32_t code_point) const noexcept;
+  // In the face of the span that holds a cell, or as above.
+  Glyph find_in(uint32_t code_point, const LineCell& cell) const noexcept {
+    const FaceSpans* const spans = options().spans;
+    return spans == nullptr ? find(code_point)
+                            : spans->find(*this, code_point, cell);
+  }
 
   // For a cluster of the shaper's word: its glyphs from `first` to before
   // `end`, none of a character that belongs to the one before it.
@@ -162,7 +164,7 @@ class Pen {
   }
   Glyph find_shown(uint32_t code_point,
                    Shown shown,
-                   int32_t& advance) const noexcept;
+                   LineCell& cell) const noexcept;
   void replace(uint32_t code_point, Glyph& glyph) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
   int32_t from_face(uint32_t face,

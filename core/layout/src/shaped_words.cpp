@@ -67,6 +67,11 @@ class WordFinder {
   uint32_t code_point(uint32_t at) const noexcept {
     return read_code_point(part_.text, at);
   }
+  Pen::Glyph find_glyph(uint32_t at) const noexcept {
+    LineCell cell;
+    cell.begin = at;
+    return pen_.find_in(code_point(at), cell);
+  }
   bool is_within(uint32_t at) const noexcept {
     const uint32_t c = code_point(at);
     if (pen_.setting().level(at) != level_ || ends_words(c) ||
@@ -76,7 +81,7 @@ class WordFinder {
     if (follows(c)) {
       return true;
     }
-    const Pen::Glyph glyph = pen_.find(c);
+    const Pen::Glyph glyph = find_glyph(at);
     return glyph.is_found && glyph.face == face_;
   }
 
@@ -85,7 +90,7 @@ class WordFinder {
     while (at != part_.begin && follows(code_point(at))) {
       at = previous(part_.text, part_.begin, at);
     }
-    const Pen::Glyph glyph = pen_.find(code_point(at));
+    const Pen::Glyph glyph = find_glyph(at);
     face_ = glyph.face;
     return glyph.is_found &&
            shaper_.open(shaper_, *pen_.setting().face(face_).font);

@@ -5,6 +5,7 @@
 // are its parts, for layouts of your own.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "inkcell/layout/bidi.hpp"
@@ -52,6 +53,41 @@ struct ShapedWords;
 extern const ShapedWords kShapedWords;
 }  // namespace detail
 
+/// Bytes of a text, from the beginning of a character to that of another, that
+/// a face of LayoutOptions::fallback sets before others: 1 is the first one.
+struct FaceSpan {
+  size_t begin = 0;
+  size_t end = SIZE_MAX;
+  uint8_t face = 0;
+};
+
+namespace detail {
+class Pen;
+struct LineCell;
+struct FaceGlyph {
+  uint16_t id = 0;
+  uint8_t face = 0;
+  bool is_found = false;
+};
+// As Pen::find(), but first in the face of the span that holds a cell.
+FaceGlyph find_in_spans(const Pen& pen,
+                        uint32_t code_point,
+                        const LineCell& cell) noexcept;
+}  // namespace detail
+
+/// Spans of a text, for LayoutOptions: the first one that holds a character
+/// counts. `all` must outlive it.
+struct FaceSpans {
+  explicit constexpr FaceSpans(Span<const FaceSpan> spans = {}) noexcept
+      : all(spans) {}
+
+  Span<const FaceSpan> all;
+  detail::FaceGlyph (*find)(const detail::Pen& pen,
+                            uint32_t code_point,
+                            const detail::LineCell& cell) noexcept =
+      detail::find_in_spans;
+};
+
 /// How text is set. Lengths are in px; 0 takes the default that is stated. What
 /// is pointed to must outlive it.
 struct LayoutOptions {
@@ -73,6 +109,10 @@ struct LayoutOptions {
   /// at the right have no stops: there each tab is tab_width wide.
   Span<const Q26_6> tab_stops;
   Q26_6 tab_width;
+  /// Words of another size, or another font. Lines break by the advances of
+  /// these faces, stay line_height apart, and have one baseline. Ellipses and
+  /// hyphens are of `face`. Letters of other faces are not kerned.
+  const FaceSpans* spans = nullptr;
 
   constexpr LayoutOptions() noexcept = default;
   /// Refers to font and style, which must outlive it.

@@ -30,7 +30,8 @@ struct TextSpan {
   size_t begin = 0;
   size_t end = SIZE_MAX;
   /// Of the size of the box's style, with another filter, weight or effect;
-  /// null: that one. Glyphs of `fallback` have their own.
+  /// null: that one. Glyphs of `fallback` have their own, and so have words of
+  /// another size (LayoutOptions::spans).
   const Style* style = nullptr;
   /// kUnderline and kStrikeThrough; both are whole pixels high, a 14th of the
   /// size, and take spaces in.
