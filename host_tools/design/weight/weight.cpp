@@ -67,8 +67,10 @@ class Weight {
     const Growth& growth = change.growth;
     rises_ = shift_of_heights(level_edges(shape_, turned), shape_.box(),
                               change.heights, growth.up);
-    goes_ = shift_of_stems(shape_, level_edges(turned, shape_), growth.across,
-                           change.squeeze);
+    StemShift stems = shift_of_stems(shape_, level_edges(turned, shape_),
+                                     growth.across, change.squeeze);
+    goes_ = std::move(stems.shift);
+    counters_ = std::move(stems.counters);
     holds_top_ = rises_.at(shape_.box().y1) == -growth.up;
     holds_bottom_ = rises_.at(shape_.box().y0) == growth.up;
     for (const PointContour& contour : before_) {
@@ -85,6 +87,7 @@ class Weight {
     for (int round = 0; round < kRounds; ++round) {
       const gen::Shape shape(outline_of(after));
       hold_heights(shape.box());
+      hold_counters(shape);
       for (size_t c = 0; c < pieces_.size(); ++c) {
         correct(c, pieces_of(after[c]), shape);
       }
@@ -141,6 +144,19 @@ class Weight {
     }
   }
 
+  // A counter between slanted stems is wider at its end than halfway up.
+  void hold_counters(const gen::Shape& shape) {
+    constexpr double kMore = 1.5;
+    std::vector<double> row;
+    for (const SlantedCounter& counter : counters_) {
+      shape.crossings(counter.y, row);
+      if (counter.end + 1 < row.size()) {
+        const double now = row[counter.end + 1] - row[counter.end];
+        goes_.raise(counter.from, kMore * (counter.width - now), true);
+      }
+    }
+  }
+
   void correct(size_t c,
                const std::vector<Piece>& after,
                const gen::Shape& shape) {
@@ -148,11 +164,13 @@ class Weight {
       Piece& piece = pieces_[c][i];
       const PointOfEdge was = middle_of(piece, change_.is_clockwise);
       const PointOfEdge now = middle_of(after[i], change_.is_clockwise);
-      // Upright and level edges are those of stems, bars and heights.
+      // Upright and level edges are those of stems, bars and heights; rays
+      // from single curves of a bend would make it uneven.
+      const bool is_line = piece.curve.kind == gen::Segment::Kind::line;
       const bool is_axis =
           std::max(std::abs(was.normal.x), std::abs(was.normal.y)) > 0.9995;
       const double ink = gap_from(shape, now.at, -1.0 * now.normal);
-      if (is_axis || thickness_[c][i] == gen::kInfinity ||
+      if (!is_line || is_axis || thickness_[c][i] == gen::kInfinity ||
           ink > kThickest_u + thickness_[c][i]) {
         continue;
       }
@@ -168,6 +186,7 @@ class Weight {
   gen::Shape shape_;
   Shift rises_;
   Shift goes_;
+  std::vector<SlantedCounter> counters_;
   bool holds_top_ = false;
   bool holds_bottom_ = false;
   std::vector<std::vector<Piece>> pieces_;

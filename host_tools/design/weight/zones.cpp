@@ -14,8 +14,12 @@ constexpr double kMostBar_u = 300;  // of a bar or a stem
 constexpr double kMatch_u = 6;      // of an edge and the ink behind it
 constexpr double kHeight_u = 28;    // of overshoots
 constexpr double kLeastRoom = 0.1;  // that a counter keeps
-constexpr int kRows = 40;
+constexpr size_t kRows = 40;
 constexpr size_t kFewRows = 4;  // that say nothing
+// Of a counter between slanted stems, at least: its part of the height, and the
+// slant of its sides.
+constexpr double kCounterPart = 0.33;
+constexpr double kSlant = 0.1;
 
 // The loops of a shape's border.
 std::vector<std::vector<Point>> loops_of(const gen::Shape& shape) {
@@ -73,6 +77,52 @@ double thickness_at(const LevelEdge& edge,
     }
   }
   return 0;
+}
+
+double place_of_row(const gen::Box& box, size_t row) {
+  return box.y0 + (static_cast<double>(row) + 0.5) / kRows * (box.y1 - box.y0);
+}
+
+using Row = std::vector<double>;  // the ends of its runs of ink
+
+// Adds the counter right of `end` in a row, if it is between slanted stems.
+void add_counter(const gen::Box& box,
+                 const std::vector<Row>& rows,
+                 size_t row,
+                 size_t end,
+                 std::vector<SlantedCounter>& counters) {
+  using Place = std::pair<size_t, size_t>;  // a row, and a number in it
+  const auto at = [&rows](const Place& place, size_t i) {
+    return rows[place.first][place.second + i];
+  };
+  std::vector<Place> places = {{row, end}};
+  for (const size_t step : {size_t{1}, ~size_t{0}}) {  // upwards, downwards
+    Place last = places.front();
+    Place next = {row + step, 1};
+    while (next.first < kRows && next.second + 1 < rows[next.first].size()) {
+      if (at(next, 0) < at(last, 1) && at(last, 0) < at(next, 1)) {
+        places.push_back(next);
+        last = next;
+        next = {next.first + step, 1};
+      } else {
+        next.second += 2;
+      }
+    }
+  }
+  std::sort(places.begin(), places.end());
+  const Place& low = places.front();
+  const Place& high = places.back();
+  const Place& middle = places[places.size() / 2];
+  const double left = at(high, 0) - at(low, 0);
+  const double right = at(high, 1) - at(low, 1);
+  const double height =
+      place_of_row(box, high.first) - place_of_row(box, low.first);
+  if (height > kCounterPart * (box.y1 - box.y0) && left * right < 0 &&
+      std::min(std::abs(left), std::abs(right)) > kSlant * height) {
+    counters.push_back({(rows[row][end] + rows[row][end + 1]) / 2,
+                        place_of_row(box, middle.first), middle.second,
+                        at(middle, 1) - at(middle, 0)});
+  }
 }
 
 bool is_height(double place, const std::vector<double>& heights) {
@@ -228,17 +278,16 @@ Shift shift_of_heights(const std::vector<LevelEdge>& edges,
   return shift;
 }
 
-Shift shift_of_stems(const gen::Shape& shape,
-                     const std::vector<LevelEdge>& edges,
-                     double across,
-                     double squeeze) {
+StemShift shift_of_stems(const gen::Shape& shape,
+                         const std::vector<LevelEdge>& edges,
+                         double across,
+                         double squeeze) {
   const gen::Box& box = shape.box();
-  std::vector<std::vector<double>> rows;
+  std::vector<Row> rows;
   size_t best = 0;
-  for (int i = 0; i < kRows; ++i) {
+  for (size_t i = 0; i < kRows; ++i) {
     rows.emplace_back();
-    shape.crossings(box.y0 + (i + 0.5) / kRows * (box.y1 - box.y0),
-                    rows.back());
+    shape.crossings(place_of_row(box, i), rows.back());
     const auto size = [&rows](size_t k) {
       const auto& row = rows[k];
       return std::pair(row.size(), row.empty() ? 0 : row.back() - row[0]);
@@ -249,7 +298,7 @@ Shift shift_of_stems(const gen::Shape& shape,
   // where an arch leaves its stem is no counter.
   const auto rank_of = [&rows](double place) {
     std::vector<size_t> ranks;
-    for (const std::vector<double>& row : rows) {
+    for (const Row& row : rows) {
       for (size_t i = 0; i + 1 < row.size(); i += 2) {
         if (place >= row[i] && place <= row[i + 1]) {
           ranks.push_back(i / 2);
@@ -273,7 +322,8 @@ Shift shift_of_stems(const gen::Shape& shape,
     }
   }
   const double runs = std::max(1.0, static_cast<double>(rows[best].size()) / 2);
-  Shift shift;
+  StemShift result;
+  Shift& shift = result.shift;
   // With all that the counters give, both ends hold and stems are between.
   const auto by_of = [&](double rank) {
     const double kept = across * (1 + 2 * rank);
@@ -291,7 +341,13 @@ Shift shift_of_stems(const gen::Shape& shape,
   if (shift.empty()) {
     shift.add(0, across);
   }
-  return shift;
+  for (size_t end = 1; end + 1 < rows[best].size(); end += 2) {
+    add_counter(box, rows, best, end, result.counters);
+  }
+  for (SlantedCounter& counter : result.counters) {
+    counter.width += by_of(1) - by_of(0) - 2 * across;
+  }
+  return result;
 }
 
 }  // namespace inkcell::design

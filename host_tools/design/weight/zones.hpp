@@ -64,11 +64,26 @@ Shift shift_of_heights(const std::vector<LevelEdge>& edges,
                        const Heights& heights,
                        double up);
 
+/// White between stems that meet, as in v: how wide it is between its ends
+/// depends on how thick they are. [u]
+struct SlantedCounter {
+  double from = 0;   // a place in it, left of what moves with its right stem
+  double y = 0;      // where it is measured, halfway up
+  size_t end = 0;    // of the ends of ink there: that on its left
+  double width = 0;  // that it should have there
+};
+
+/// How stems move, and the counters that this does not keep.
+struct StemShift {
+  Shift shift;
+  std::vector<SlantedCounter> counters;
+};
+
 /// Keeps counters: each stem moves with the growth of those before it, less
 /// the part `squeeze` (0..1), which the counters give. [u]
-Shift shift_of_stems(const gen::Shape& shape,
-                     const std::vector<LevelEdge>& edges,
-                     double across,
-                     double squeeze);
+StemShift shift_of_stems(const gen::Shape& shape,
+                         const std::vector<LevelEdge>& edges,
+                         double across,
+                         double squeeze);
 
 }  // namespace inkcell::design
