@@ -119,7 +119,8 @@ class Mover {
       : result_(contour),
         pieces_(pieces),
         growth_(growth),
-        is_clockwise_(is_clockwise) {}
+        is_clockwise_(is_clockwise),
+        is_gone_(pieces.size()) {}
 
   PointContour run() {
     const size_t count = pieces_.size();
@@ -129,7 +130,12 @@ class Mover {
     begins_.resize(count);
     ends_.resize(count);
     for (size_t i = 0; i < count; ++i) {
-      join(i, (i + 1) % count);
+      find_gone(i);
+    }
+    for (size_t i = 0; i < count; ++i) {
+      if (!is_gone_[i]) {
+        join(i, next_of(i));
+      }
     }
     for (size_t i = 0; i < count; ++i) {
       place(i);
@@ -138,8 +144,39 @@ class Mover {
   }
 
  private:
-  const Piece& after(size_t i) const {
-    return pieces_[(i + 1) % pieces_.size()];
+  size_t next_of(size_t i) const {
+    size_t next = (i + 1) % pieces_.size();
+    while (is_gone_[next]) {
+      next = (next + 1) % pieces_.size();
+    }
+    return next;
+  }
+
+  const Piece& after(size_t i) const { return pieces_[next_of(i)]; }
+
+  double reach() const {  // of corners
+    return kMiter *
+           std::max({std::abs(growth_.across), std::abs(growth_.up), 1.0});
+  }
+
+  // Short curves after piece i, such as those that round a notch, would be a
+  // loop where the pieces around them cross.
+  void find_gone(size_t i) {
+    const size_t count = pieces_.size();
+    double along = 0;
+    for (size_t k = 1; k + 2 < count && !is_gone_[i]; ++k) {
+      const Piece& curve = pieces_[(i + k) % count];
+      along += length(chord_of(curve.curve));
+      if (curve.controls.empty() || along > reach()) {
+        return;
+      }
+      if (meet(paths_[i], paths_[(i + k + 1) % count], 0).first.is_found) {
+        for (; k > 0; --k) {
+          is_gone_[(i + k) % count] = true;
+        }
+        return;
+      }
+    }
   }
 
   bool is_smooth(size_t i) const {
@@ -190,9 +227,11 @@ class Mover {
       begins_[next] = {at, 0, true};
       return;
     }
-    const double most =
-        std::max({std::abs(growth_.across), std::abs(growth_.up), 1.0});
-    std::tie(ends_[i], begins_[next]) = meet(a, b, kMiter * most);
+    std::tie(ends_[i], begins_[next]) = meet(a, b, reach());
+    for (size_t gone = (i + 1) % pieces_.size(); gone != next;
+         gone = (gone + 1) % pieces_.size()) {
+      ends_[gone] = ends_[i];
+    }
   }
 
   // The moved piece's points between both joints.
@@ -217,6 +256,12 @@ class Mover {
     const Piece& piece = pieces_[i];
     for (const size_t end : piece.ends) {
       set(end, ends_[i].at);
+    }
+    if (is_gone_[i]) {
+      for (const size_t control : piece.controls) {
+        set(control, ends_[i].at);
+      }
+      return;
     }
     if (piece.controls.empty()) {
       return;
@@ -284,6 +329,7 @@ class Mover {
   const std::vector<Piece>& pieces_;
   Growth growth_;
   bool is_clockwise_;
+  std::vector<bool> is_gone_;
   std::vector<Path> paths_;
   std::vector<Cut> begins_;
   std::vector<Cut> ends_;
