@@ -164,18 +164,19 @@ class Mover {
   void find_gone(size_t i) {
     const size_t count = pieces_.size();
     double along = 0;
+    size_t gone = 0;
     for (size_t k = 1; k + 2 < count && !is_gone_[i]; ++k) {
       const Piece& curve = pieces_[(i + k) % count];
       along += length(chord_of(curve.curve));
       if (curve.controls.empty() || along > reach()) {
-        return;
+        break;
       }
       if (meet(paths_[i], paths_[(i + k + 1) % count], 0).first.is_found) {
-        for (; k > 0; --k) {
-          is_gone_[(i + k) % count] = true;
-        }
-        return;
+        gone = k;
       }
+    }
+    for (; gone > 0; --gone) {
+      is_gone_[(i + gone) % count] = true;
     }
   }
 
@@ -270,17 +271,22 @@ class Mover {
     const Point begin = direction_at(i, part, true);
     const Point end = direction_at(i, part, false);
     const gen::Segment& curve = piece.curve;
+    const double was = length(chord_of(curve));
+    const double scale =
+        was > kNothing ? length(part.back() - part.front()) / was : 1;
     if (piece.controls.size() == 1) {
       const auto control = meeting(part.front(), begin, part.back(), end);
-      const Point n = normal_at(curve, 0.5, is_clockwise_);
       const bool is_between = control &&
                               dot(*control - part.front(), begin) > 0 &&
                               dot(part.back() - *control, end) > 0;
       set(piece.controls[0],
-          is_between ? *control : curve.p[1] + growth_.of(n));
+          is_between
+              ? *control
+              : gen::middle(part.front(), part.back()) +
+                    scale * (curve.p[1] - gen::middle(curve.p[0], curve.p[2])));
       return;
     }
-    place_handles(piece, part, begin, end);
+    place_handles(piece, part, begin, end, scale);
   }
 
   // Of the tangent where a joint is smooth or lies beyond the curve.
@@ -302,11 +308,9 @@ class Mover {
   void place_handles(const Piece& piece,
                      const std::vector<Point>& part,
                      const Point& begin,
-                     const Point& end) {
+                     const Point& end,
+                     double scale) {
     const gen::Segment& curve = piece.curve;
-    const double was = length(chord_of(curve));
-    const double scale =
-        was > kNothing ? length(part.back() - part.front()) / was : 1;
     Point first =
         part.front() + (scale * length(curve.p[1] - curve.p[0])) * begin;
     Point second =

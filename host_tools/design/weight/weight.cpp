@@ -124,9 +124,20 @@ class Weight {
     for (size_t c = 0; c < before_.size(); ++c) {
       after.push_back(
           moved(before_[c], pieces_[c], change_.growth, change_.is_clockwise));
-      for (size_t p = 0; p < before_[c].points.size(); ++p) {
-        after[c].points[p].x += goes_.at(before_[c].points[p].x);
-        after[c].points[p].y += rises_.at(before_[c].points[p].y);
+      const std::vector<GlyphPoint>& was = before_[c].points;
+      std::vector<GlyphPoint>& points = after[c].points;
+      for (size_t p = 0, end = 0; p < points.size(); p = end) {
+        const GlyphPoint at = points[p];  // those of a closed notch are there
+        while (end < points.size() && points[end].x == at.x &&
+               points[end].y == at.y) {
+          ++end;
+        }
+        const double dx = (goes_.at(was[p].x) + goes_.at(was[end - 1].x)) / 2;
+        const double dy = (rises_.at(was[p].y) + rises_.at(was[end - 1].y)) / 2;
+        for (size_t i = p; i < end; ++i) {
+          points[i].x = at.x + dx;
+          points[i].y = at.y + dy;
+        }
       }
     }
     return after;
