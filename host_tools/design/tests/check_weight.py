@@ -3,10 +3,11 @@ FontForge's Change Weight where python3-fontforge is installed.
 
 Usage: check_weight.py INKCELL_DESIGN
 
-Heights stay to the unit, counters to COUNTER_UNITS where stems are upright,
-points and their kinds are the same, corners stay corners, and stems get what
-was asked for. FontForge gets the same number of units and "retain" for
-counters.
+Heights stay to the unit, counters to COUNTER_UNITS where stems are upright, that
+of v halfway up to SLANTED_UNITS, points and their kinds are the same, corners
+stay corners, and stems get what was asked for. Outlines turn by TURNS degrees
+more than before at most: waves and loops would turn more. FontForge gets the
+same number of units and "retain" for counters.
 """
 import json
 import math
@@ -37,7 +38,10 @@ LETTERS = "HnoeavsBgR"
 GROWTH_EM = 0.03
 ROUND_LETTERS = "no"     # whose counters are between upright stems
 COUNTER_UNITS = 2        # both edges are rounded
-ROWS = {"o": 0.5}        # where stems are measured, of the height [0.3]
+SLANTED_LETTER = "v"
+SLANTED_UNITS = 12       # its row is not exactly halfway up its counter
+ROWS = {"o": 0.5, "v": 0.625}  # where stems are measured, of the height [0.3]
+TURNS = 150              # [degrees]
 CHORDS = 12
 CORNER = 20              # [degrees]
 OTHER_CORNERS = 1        # letters of ten where a turn passes CORNER
@@ -96,6 +100,13 @@ def turn(a, b):
     return abs(math.degrees((b - a + math.pi) % (2 * math.pi) - math.pi))
 
 
+def turns(loop):
+    """How far a polygon turns, to both sides. [degrees]"""
+    points = [p for i, p in enumerate(loop) if p != loop[i - 1]]
+    ways = [direction(a, b) for a, b in zip(points, points[1:] + points[:1])]
+    return sum(turn(a, b) for a, b in zip(ways, ways[1:] + ways[:1]))
+
+
 def runs(loops, y):
     """Ends of ink on a level line."""
     found = []
@@ -117,6 +128,7 @@ class Figures:
 
     def __init__(self, font, letter):
         self.loops, self.segments, self.corners = polygons(font, letter)
+        self.turns = sum(turns(loop) for loop in self.loops)
         heights = [p[1] for loop in self.loops for p in loop]
         self.height = (min(heights), max(heights))
         row = runs(self.loops, self.height[0] + ROWS.get(letter, 0.3) *
@@ -160,14 +172,17 @@ class Score:
 
     def __init__(self):
         self.height = self.counter = self.stem = self.letters = 0
-        self.corners = self.points = 0
+        self.corners = self.points = self.slanted = self.turns = 0
 
     def add(self, before, after, letter, units):
         self.letters += 1
         self.height = max(self.height, *(abs(a - b) for a, b in zip(
             before.height, after.height)))
+        self.turns = max(self.turns, after.turns - before.turns)
+        pairs = list(zip(before.counters, after.counters))
+        if letter == SLANTED_LETTER:
+            self.slanted = max(abs(b - a) for a, b in pairs)
         if letter in ROUND_LETTERS:
-            pairs = list(zip(before.counters, after.counters))
             self.counter = max([self.counter, *(abs(b - a)
                                                 for a, b in pairs)])
         stems = list(zip(before.stems, after.stems))
@@ -179,7 +194,9 @@ class Score:
 
     def text(self):
         return (f"heights off by {self.height:.2f}, counters by "
-                f"{self.counter:.1f}, stems by {self.stem:.1f} units; of "
+                f"{self.counter:.1f}, that of {SLANTED_LETTER} by "
+                f"{self.slanted:.1f}, stems by {self.stem:.1f} units; up to "
+                f"{self.turns:.0f} degrees more of turns; of "
                 f"{self.letters} letters {self.corners} with other corners, "
                 f"{self.points} with other segments")
 
@@ -217,6 +234,8 @@ def main():
                     expect(score.height <= 0.5 and score.counter <=
                            COUNTER_UNITS and score.stem <= COUNTER_UNITS and
                            score.corners <= OTHER_CORNERS and
+                           score.slanted <= SLANTED_UNITS and
+                           score.turns <= TURNS and
                            score.points == 0,
                            f"{face.stem}: {score.text()}")
     finish()
