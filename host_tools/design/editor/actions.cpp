@@ -188,6 +188,10 @@ void make_field_curves(Editor& editor) {
   editor.message = {text};
 }
 
+Action simple(const char* name, const char* command) {
+  return {name, "", [command](Editor& e) { e.run(Value{{"do", command}}); }};
+}
+
 Action transformed(const char* name, const char* keys, const Value& matrix) {
   return {name, keys,
           [matrix](Editor& e) { e.run(transform_selection(e, matrix)); }};
@@ -237,10 +241,7 @@ std::vector<Action> make_list() {
       {"Horizontal guide", "g", [](Editor& e) { add_guide(e, false); }},
       {"Vertical guide", "shift+g", [](Editor& e) { add_guide(e, true); }},
       {"Reverse contours", "", reverse_selected},
-      {"Round to whole units", "",
-       [](Editor& e) {
-         e.run({{"do", "round_points"}});
-       }},
+      simple("Round to whole units", "round_points"),
       {"Unite", "ctrl+u", [](Editor& e) { combine(e, "union"); }},
       {"Subtract", "ctrl+shift+d", [](Editor& e) { combine(e, "difference"); }},
       {"Intersect", "", [](Editor& e) { combine(e, "intersection"); }},
@@ -258,18 +259,12 @@ std::vector<Action> make_list() {
          e.run(std::move(command));
          e.message = {"Letters are as near to each other as n and o, H and O"};
        }},
-      {"Convert to cubics", "",
-       [](Editor& e) {
-         e.run({{"do", "to_cubics"}});
-       }},
+      simple("Convert to cubics", "to_cubics"),
       {"Curves from the field", "", make_field_curves},
       {"Combine components", "ctrl+shift+u",
        [](Editor& e) { e.run(combine_components(*e.glyph())); }},
       {"Turn into outline", "", [](Editor& e) { e.make_outline(); }},
-      {"Decompose", "",
-       [](Editor& e) {
-         e.run({{"do", "decompose"}});
-       }},
+      simple("Decompose", "decompose"),
       {"Remove picture", "",
        [](Editor& e) {
          if (e.glyph()->image) {

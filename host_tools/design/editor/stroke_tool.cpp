@@ -15,7 +15,12 @@ constexpr double kLoosePart = 0.25;
 class StrokeTool : public Tool {
  public:
   void press(Editor&, const Pointer& pointer) override {
-    path_ = {{std::round(pointer.at.x), std::round(pointer.at.y)}};
+    path_.clear();
+    if (pointer.twice) {
+      is_continued_ = false;
+    } else {
+      path_ = {{std::round(pointer.at.x), std::round(pointer.at.y)}};
+    }
   }
 
   void drag(Editor& editor, const Pointer& pointer) override {
@@ -33,8 +38,13 @@ class StrokeTool : public Tool {
 
   void release(Editor& editor, const Pointer&) override {
     const bool is_drawn = path_.size() > 1;
+    const bool is_clicked = path_.size() == 1;
+    if (is_clicked) {
+      editor.propose(command(editor));
+    }
     path_.clear();
     editor.commit();
+    is_continued_ = is_clicked;
     if (is_drawn) {
       editor.message = {"Added a stroke; the Select tool moves its knots"};
     }
@@ -42,6 +52,7 @@ class StrokeTool : public Tool {
 
   void cancel(Editor& editor) override {
     path_.clear();
+    is_continued_ = false;
     editor.propose(nullptr);
   }
 
@@ -55,7 +66,7 @@ class StrokeTool : public Tool {
 
  private:
   Value command(const Editor& editor) const {
-    const GlyphPointer glyph = editor.stored();
+    Value strokes = editor.stored()->lib.value(kStrokesKey, Value::array());
     Value points = Value::array();
     for (const StrokePoint& knot : knots_of(path_, kLoosePart * reach_)) {
       Value point = {knot.at.x, knot.at.y};
@@ -64,15 +75,18 @@ class StrokeTool : public Tool {
       }
       points.push_back(point);
     }
-    const Value stroke = {
-        {"nib", editor.nib.text()}, {"points", points}, {"smooth", true}};
-    Value strokes = glyph->lib.value(kStrokesKey, Value::array());
-    strokes.push_back(stroke);
+    if (path_.size() == 1 && is_continued_) {
+      strokes.back()["points"].push_back(points[0]);
+    } else {
+      strokes.push_back(
+          {{"nib", editor.nib.text()}, {"points", points}, {"smooth", true}});
+    }
     return {{"do", "set_strokes"}, {"strokes", strokes}};
   }
 
   std::vector<Point> path_;
-  double reach_ = 0;  // of the pointer
+  double reach_ = 0;           // of the pointer
+  bool is_continued_ = false;  // the last stroke, by the next click
 };
 
 }  // namespace

@@ -15,7 +15,9 @@ const std::vector<ToolInfo>& tool_list() {
        "Drag a rectangle; Shift makes a square"},
       {ToolKind::ellipse, "Ellipse", "o",
        "Drag an ellipse; Shift makes a circle"},
-      {ToolKind::stroke, "Stroke", "b", "Draw a stroke with the nib"},
+      {ToolKind::stroke, "Stroke", "b",
+       "Draw a stroke with the nib, or click its knots; a double click ends "
+       "it"},
       {ToolKind::measure, "Measure", "l",
        "Drag a line; its length and what it passes through are shown"},
       {ToolKind::spacing, "Spacing", "t",

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "export/tables.hpp"
@@ -374,26 +375,54 @@ class FontImporter {
   std::set<std::string> used_;
 };
 
+// Without the spaces at its end.
+std::string name_of(hb_tag_t tag) {
+  char name[5] = {};
+  hb_tag_to_string(tag, name);
+  return std::string(name, std::find(name, name + 4, ' '));
+}
+
+// What GSUB or GPOS has, for messages.
+std::string layout_of(hb_face_t* face, hb_tag_t table) {
+  const auto names = [&](const auto& query) {
+    constexpr unsigned kMost = 512;
+    hb_tag_t tags[kMost];
+    unsigned count = kMost;
+    query(face, table, 0, &count, tags);
+    std::set<std::string> sorted;  // a feature is there for each language
+    std::transform(tags, tags + count, std::inserter(sorted, sorted.end()),
+                   name_of);
+    std::string text;
+    for (const std::string& name : sorted) {
+      text += " " + name;
+    }
+    return text;
+  };
+  return " (scripts" + names(hb_ot_layout_table_get_script_tags) +
+         "; features" + names(hb_ot_layout_table_get_feature_tags) +
+         "; lookups: " +
+         std::to_string(hb_ot_layout_table_get_lookup_count(face, table)) + ")";
+}
+
 }  // namespace
 
 std::string tables_left_out(const std::filesystem::path& path) {
   static const std::set<std::string> known = {
       "head", "hhea", "maxp", "OS/2", "hmtx", "cmap", "loca",
-      "glyf", "CFF ", "CFF2", "name", "post", "kern"};
+      "glyf", "CFF",  "CFF2", "name", "post", "kern"};
   const gen::FontFile file(path, 0, {});
   std::string names;
   FT_ULong tag = 0;
   FT_ULong length = 0;
   for (FT_UInt i = 0; FT_Sfnt_Table_Info(file.ft(), i, &tag, &length) == 0;
        ++i) {
-    const std::string name = {static_cast<char>(tag >> 24 & 0xff),
-                              static_cast<char>(tag >> 16 & 0xff),
-                              static_cast<char>(tag >> 8 & 0xff),
-                              static_cast<char>(tag & 0xff)};
+    const std::string name = name_of(static_cast<hb_tag_t>(tag));
     if (known.count(name) == 0) {
-      names += (names.empty() ? "" : ", ") +
-               (name == "GPOS" ? "GPOS except kerning"
-                               : name.substr(0, name.find(' ')));
+      names += (names.empty() ? "" : ", ") + name +
+               (name == "GPOS" ? " except kerning" : "");
+      if (name == "GSUB" || name == "GPOS") {
+        names += layout_of(file.hb_face(), static_cast<hb_tag_t>(tag));
+      }
     }
   }
   return names;

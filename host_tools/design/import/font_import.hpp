@@ -30,8 +30,9 @@ Project import_font(const std::filesystem::path& file,
                     gen::Warnings& warnings,
                     Composites composites = Composites::keep);
 
-/// The tables of the file that import_font() does not read, for messages; empty
-/// if there are none.
+/// The tables of the file that import_font() does not read, for messages, with
+/// the scripts, features and number of lookups of GSUB and GPOS; empty if there
+/// are none.
 std::string tables_left_out(const std::filesystem::path& file);
 
 }  // namespace inkcell::design

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kQuestion = "Quit";
+constexpr const char* kComponent = "Add component";
 
 using Values = std::vector<std::string>;
 
@@ -87,8 +88,7 @@ const std::vector<Dialog>& dialog_list() {
        {},
        nothing,
        [](Panels& panels, const Values& values) {
-         Editor& editor = panels.editor;
-         editor.open(values[0]);
+         panels.editor.open(values[0]);
        }},
       {"New font",
        "A project (UFO) with empty glyphs: characters (Hano2!) or ranges "
@@ -109,8 +109,7 @@ const std::vector<Dialog>& dialog_list() {
        {},
        [](const Editor&) { return Values{"Copy.ufo"}; },
        [](Panels& panels, const Values& values) {
-         Editor& editor = panels.editor;
-         editor.save_as(values[0]);
+         panels.editor.save_as(values[0]);
        }},
       {"Export",
        "A font (.ttf, .bin), a copy of the project (.ufo), or the sources of "
@@ -125,8 +124,7 @@ const std::vector<Dialog>& dialog_list() {
          return Values{(name.empty() ? "Font" : name) + ".ttf"};
        },
        [](Panels& panels, const Values& values) {
-         Editor& editor = panels.editor;
-         editor.export_to(values[0]);
+         panels.editor.export_to(values[0]);
        }},
       {"Add glyphs",
        "Characters (Hano2!), ranges (A-Z,U+B0), or a name (exclam, _stem)",
@@ -180,17 +178,21 @@ const std::vector<Dialog>& dialog_list() {
          return Values{"wght Weight", "400", "700", "Medium 500"};
        },
        set_axis},
-      {"Add component",
-       "The name of the glyph to put into this one",
+      {kComponent,
+       "The glyph to put into this one: a click, or its name or character",
        "Add",
        {},
        {},
        nothing,
        [](Panels& panels, const Values& values) {
          Editor& editor = panels.editor;
+         const std::vector<std::string> found =
+             found_glyphs(editor.project(), values[0]);
+         const std::string base =
+             values[0].empty() || found.empty() ? values[0] : found.front();
          editor.run(has_tree(*editor.glyph())
-                        ? add_part(*editor.glyph(), values[0])
-                        : Value{{"do", "add_component"}, {"base", values[0]}});
+                        ? add_part(*editor.glyph(), base)
+                        : Value{{"do", "add_component"}, {"base", base}});
        }},
       {kScript,
        "A program in Lua; its parameters become sliders",
@@ -265,6 +267,13 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (!dialog.endings.empty()) {
     draw_files(dialog, panels.dialog_values[0]);
+  }
+  if (panels.dialog == kComponent) {
+    const std::string clicked = draw_picker(panels, panels.dialog_values[0]);
+    if (!clicked.empty()) {
+      panels.dialog_values[0] = clicked;
+      is_entered = true;
+    }
   }
   for (size_t i = 0; i < dialog.labels.size(); ++i) {
     ImGui::SetNextItemWidth(px(260));
@@ -377,12 +386,9 @@ void draw_apply_or_cancel(Panels& panels) {
 }
 
 void open_dialog(Panels& panels, const char* name) {
-  if (std::string(name) == kTransform) {
+  if (name == std::string(kTransform) || name == std::string(kWeight)) {
     panels.dialog = name;
     panels.transform = {};
-  }
-  if (std::string(name) == kWeight) {
-    panels.dialog = name;
     panels.weight = {};
   }
   for (const Dialog& dialog : dialog_list()) {
@@ -407,17 +413,13 @@ void draw_dialogs(Panels& panels) {
     draw_outline_question(panels.editor);
     return;
   }
-  if (panels.dialog == kQuestion) {
-    draw_question(panels);
-    return;
-  }
-  if (panels.dialog == kTransform) {
-    draw_transform(panels);
-    return;
-  }
-  if (panels.dialog == kWeight) {
-    draw_weight(panels);
-    return;
+  for (const auto& [name, draw] : {std::pair(kQuestion, draw_question),
+                                   {kTransform, draw_transform},
+                                   {kWeight, draw_weight}}) {
+    if (panels.dialog == name) {
+      draw(panels);
+      return;
+    }
   }
   for (const Dialog& dialog : dialog_list()) {
     if (panels.dialog != dialog.name) {

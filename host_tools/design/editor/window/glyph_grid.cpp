@@ -40,25 +40,24 @@ bool matches(const Glyph& glyph, const std::string& text) {
          character_list(glyph).find(text) != std::string::npos;
 }
 
-void draw_cell(Panels& panels, const std::string& name) {
-  Editor& editor = panels.editor;
+// Returns whether it is clicked.
+bool draw_cell(Panels& panels, const std::string& name, bool is_chosen) {
+  const Editor& editor = panels.editor;
   const GlyphPointer glyph = editor.project().find(name);
   if (glyph == nullptr) {
-    return;
+    return false;
   }
   const float side = px(kCell);
   const float label = px(kLabel);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton(name.c_str(), {side, side + label})) {
-    attempt(editor, [&] { editor.show(name); });
-  }
-  const bool is_shown = name == editor.glyph_name();
+  const bool is_clicked =
+      ImGui::InvisibleButton(name.c_str(), {side, side + label});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end = {at.x + side, at.y + side + label};
   list.AddRectFilled(at, end, colour::paper, px(3));
-  if (is_shown || ImGui::IsItemHovered()) {
-    list.AddRect(at, end, is_shown ? colour::tool : colour::zone, px(3), 0,
-                 is_shown ? 2.0f : 1.0f);
+  if (is_chosen || ImGui::IsItemHovered()) {
+    list.AddRect(at, end, is_chosen ? colour::tool : colour::zone, px(3), 0,
+                 is_chosen ? 2.0f : 1.0f);
   }
   ImTextureID texture = panels.textures.find(glyph.get());
   if (texture == nullptr && ImGui::IsItemVisible()) {
@@ -93,27 +92,74 @@ void draw_cell(Panels& panels, const std::string& name) {
       name + (is_undrawn(*glyph) ? ", empty" : "") +
       (editor.is_changed(name) ? ", changed since it was saved" : "");
   tooltip(hint.c_str());
+  return is_clicked;
+}
+
+float row_height() {
+  return px(kCell) + px(kLabel) + px(kGap);
+}
+
+int column_count() {
+  return std::max(
+      1, static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) /
+                          (px(kCell) + px(kGap))));
 }
 
 // Scrolls to the shown glyph when that changes.
-void follow(Panels& panels,
-            const std::vector<std::string>& order,
-            int columns,
-            float row_height) {
+void follow(Panels& panels, const std::vector<std::string>& order) {
   const std::string& shown = panels.editor.glyph_name();
   if (panels.followed == shown) {
     return;
   }
   panels.followed = shown;
   const auto at = std::find(order.begin(), order.end(), shown) - order.begin();
-  const float top = static_cast<float>(at / columns) * row_height;
-  const float room = ImGui::GetWindowHeight() - row_height;
+  const float top = static_cast<float>(at / column_count()) * row_height();
+  const float room = ImGui::GetWindowHeight() - row_height();
   if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room) {
     ImGui::SetScrollY(top - room / 2);
   }
 }
 
+// Returns the name of a glyph that is clicked; else nothing.
+std::string draw_cells(Panels& panels,
+                       const std::vector<std::string>& order,
+                       const std::string& chosen) {
+  const int columns = column_count();
+  const int count = static_cast<int>(order.size());
+  std::string clicked;
+  ImGuiListClipper clipper;
+  clipper.Begin((count + columns - 1) / columns, row_height());
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart * columns;
+         i < std::min(count, clipper.DisplayEnd * columns); ++i) {
+      if (i % columns != 0) {
+        ImGui::SameLine();
+      }
+      const std::string& name = order[static_cast<size_t>(i)];
+      if (draw_cell(panels, name, name == chosen)) {
+        clicked = name;
+      }
+    }
+  }
+  return clicked;
+}
+
 }  // namespace
+
+std::vector<std::string> found_glyphs(const Project& project,
+                                      const std::string& text) {
+  std::vector<std::string> order = glyph_order(project);
+  order.erase(std::remove_if(order.begin(), order.end(),
+                             [&](const std::string& name) {
+                               return !matches(*project.find(name), text);
+                             }),
+              order.end());
+  std::stable_partition(order.begin(), order.end(),
+                        [&](const std::string& name) {
+                          return is_exact(*project.find(name), text);
+                        });
+  return order;
+}
 
 void draw_glyph_grid(Panels& panels) {
   Editor& editor = panels.editor;
@@ -121,58 +167,47 @@ void draw_glyph_grid(Panels& panels) {
     ImGui::TextDisabled("No font is open");
     return;
   }
-  std::vector<std::string> order = glyph_order(editor.project());
+  const std::vector<std::string> all = glyph_order(editor.project());
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", "Search: name, character, U+0041",
                            &panels.search);
-  const size_t count_of_all = order.size();
-  size_t missing = 0;
-  for (const std::string& name : order) {
-    missing += is_undrawn(*editor.project().find(name)) ? 1u : 0u;
-  }
+  const auto missing =
+      std::count_if(all.begin(), all.end(), [&](const std::string& name) {
+        return is_undrawn(*editor.project().find(name));
+      });
+  const std::vector<std::string> order =
+      panels.search.empty() ? all
+                            : found_glyphs(editor.project(), panels.search);
   if (!panels.search.empty()) {
-    order.erase(std::remove_if(order.begin(), order.end(),
-                               [&](const std::string& name) {
-                                 return !matches(*editor.project().find(name),
-                                                 panels.search);
-                               }),
-                order.end());
-    std::stable_partition(
-        order.begin(), order.end(), [&](const std::string& name) {
-          return is_exact(*editor.project().find(name), panels.search);
-        });
-    ImGui::Text("%zu of %zu glyphs", order.size(), count_of_all);
+    ImGui::Text("%zu of %zu glyphs", order.size(), all.size());
   } else {
-    ImGui::Text(count_of_all == 1 ? "%zu glyph" : "%zu glyphs", count_of_all);
+    ImGui::Text(all.size() == 1 ? "%zu glyph" : "%zu glyphs", all.size());
   }
   if (missing != 0) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu empty", missing);
+    ImGui::TextDisabled("%zu empty", static_cast<size_t>(missing));
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
   ImGui::BeginChild("grid");
-  const float pitch = px(kCell) + px(kGap);
-  const int columns = std::max(
-      1,
-      static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) / pitch));
-  const int count = static_cast<int>(order.size());
-  const float row_height = px(kCell) + px(kLabel) + px(kGap);
-  follow(panels, order, columns, row_height);
-  ImGuiListClipper clipper;
-  clipper.Begin((count + columns - 1) / columns, row_height);
-  while (clipper.Step()) {
-    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-      for (int i = row * columns; i < std::min(count, (row + 1) * columns);
-           ++i) {
-        if (i > row * columns) {
-          ImGui::SameLine();
-        }
-        draw_cell(panels, order[static_cast<size_t>(i)]);
-      }
-    }
+  follow(panels, order);
+  const std::string clicked = draw_cells(panels, order, editor.glyph_name());
+  if (!clicked.empty()) {
+    attempt(editor, [&] { editor.show(clicked); });
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
+}
+
+std::string draw_picker(Panels& panels, const std::string& text) {
+  const std::vector<std::string> order =
+      found_glyphs(panels.editor.project(), text);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
+  ImGui::BeginChild("picker", {px(520), 4 * row_height()}, true);
+  const std::string clicked = draw_cells(
+      panels, order, text.empty() || order.empty() ? "" : order.front());
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  return clicked;
 }
 
 }  // namespace inkcell::design::editor

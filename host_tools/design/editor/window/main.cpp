@@ -1,5 +1,6 @@
 // inkcell-editor: a window for designing type.
 #include <CLI/CLI.hpp>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -55,27 +56,25 @@ PreviewKey key_of(const Editor& editor) {
   std::ostringstream text;
   const PreviewSettings& s = editor.preview;
   text << static_cast<int>(s.display) << s.dark << s.cells << ' ' << s.glyph_px
-       << ' ' << s.text << ' ' << editor.master() << ' '
-       << editor.part_between;
+       << ' ' << s.text << ' ' << editor.master() << ' ' << editor.part_between;
   return {editor.glyph(), editor.shown_project().font, text.str()};
 }
 
 void handle_window_key(Panels& panels, const std::string& key) {
-  const bool is_open = panels.editor.is_open();
+  static const std::map<std::string, const char*> kDialogs = {
+      {"ctrl+n", "New font"},
+      {"ctrl+o", "Open"},
+      {"ctrl+shift+s", "Save as"},
+      {"ctrl+shift+n", "Add glyphs"},
+      {"ctrl+shift+c", "Add component"},
+      {"ctrl+e", "Export"}};
+  const auto dialog = kDialogs.find(key);
   if (key == "ctrl+q") {
     quit(panels);
-  } else if (key == "ctrl+n") {
-    open_dialog(panels, "New font");
-  } else if (key == "ctrl+o") {
-    open_dialog(panels, "Open");
-  } else if (key == "ctrl+shift+s" && is_open) {
-    open_dialog(panels, "Save as");
-  } else if (key == "ctrl+shift+n" && is_open) {
-    open_dialog(panels, "Add glyphs");
-  } else if (key == "ctrl+shift+c" && is_open) {
-    open_dialog(panels, "Add component");
-  } else if (key == "ctrl+e" && is_open) {
-    open_dialog(panels, "Export");
+  } else if (dialog != kDialogs.end()) {
+    if (panels.editor.is_open() || key == "ctrl+n" || key == "ctrl+o") {
+      open_dialog(panels, dialog->second);
+    }
   } else if (panels.dialog.empty() && !panels.editor.pending) {
     attempt(panels.editor, [&] { press_key(panels.editor, key); });
   }

@@ -26,11 +26,8 @@ constexpr PanelSide kSideWidth = {0.26f, 318, 372};
 constexpr PanelSide kInspectorHeight = {0.38f, 160, 292};
 
 void draw_message(const Message& message) {
-  if (!message.is_problem) {
-    ImGui::TextDisabled("%s", message.text.c_str());
-    return;
-  }
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
+  ImGui::PushStyleColor(ImGuiCol_Text,
+                        message.is_problem ? colour::corner : colour::faint);
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopStyleColor();
   tooltip(message.text.c_str());

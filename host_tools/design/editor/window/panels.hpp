@@ -93,6 +93,12 @@ void draw_window(Panels& panels);
 void draw_menu(Panels& panels);
 void draw_toolbar(Panels& panels);
 void draw_glyph_grid(Panels& panels);
+/// The glyphs whose name or character has `text`, exact ones first.
+std::vector<std::string> found_glyphs(const Project& project,
+                                      const std::string& text);
+/// Pictures of the glyphs that found_glyphs() returns, the first one marked.
+/// Returns the name of one that is clicked; else nothing.
+std::string draw_picker(Panels& panels, const std::string& text);
 void draw_canvas(Panels& panels);
 void draw_preview_panel(Panels& panels);
 void draw_inspector(Panels& panels);
