@@ -469,9 +469,7 @@ void Editor::make_outline() {
 
 // After a command, undo or redo.
 void Editor::follow_change() {
-  if (message.is_problem) {
-    message = {};
-  }
+  message = {};
   const GlyphPointer now = stored();
   if (had_source_ && now != nullptr && !has_source(*now)) {
     message = {"The glyph is an outline now; undo brings its source back"};

@@ -76,10 +76,12 @@ void Editor::add_master(const std::string& name, double bolder) {
   message = {"Saved with the master " + name + ", whose glyphs are those of " +
              master_name(project(), 0) + " until you change them"};
   if (bolder != 0) {
-    run({{"do", "change_weight"},
-         {"glyphs", "all"},
-         {"layer", name},
-         {"by", bolder}});
+    // Without a question: strokes and parts stay in the default master.
+    session_->run({{"do", "change_weight"},
+                   {"glyphs", "all"},
+                   {"layer", name},
+                   {"by", bolder}});
+    follow_change();
     message = {"The master " + name + " has stems that are wider by " +
                std::to_string(std::lround(bolder)) + " units"};
   }

@@ -90,8 +90,9 @@ Axes axes_of(const Project& project) {
   const auto found = project.font->lib.find(kAxesKey);
   if (found == project.font->lib.end()) {
     throw Error(
-        "the font has no axes; the command set_axes gives masters their "
-        "places");
+        "the font has no axes; \"Axis and instances\", or the command "
+        "set_axes, "
+        "gives masters their places");
   }
   return parse_axes(project, *found);
 }

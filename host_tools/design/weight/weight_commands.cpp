@@ -98,21 +98,17 @@ Heights heights_of(const Project& project, size_t layer) {
   const double scale = gen::kUPerEm / project.units_per_em();
   for (const char* name : {"x", "H", "d", "p"}) {
     const GlyphPointer glyph = project.find(name, layer);
-    if (glyph == nullptr || glyph->contours.empty()) {
-      continue;
+    if (glyph != nullptr && !glyph->contours.empty()) {
+      const gen::Shape shape(outline_of(project, *glyph, layer));
+      heights.bottoms.push_back(shape.box().y0);
+      heights.tops.push_back(shape.box().y1);
     }
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const PointContour& contour : glyph->contours) {
-      for (const GlyphPoint& point : contour.points) {
-        if (point.on_curve()) {
-          low = std::min(low, scale * point.y);
-          high = std::max(high, scale * point.y);
-        }
-      }
+  }
+  const Value& info = project.font->info;
+  for (const char* key : {"xHeight", "capHeight"}) {
+    if (info.contains(key)) {
+      heights.tops.push_back(scale * info[key].get<double>());
     }
-    heights.bottoms.push_back(low);
-    heights.tops.push_back(high);
   }
   return heights;
 }

@@ -43,7 +43,7 @@ bool matches(const Glyph& glyph, const std::string& text) {
 // Returns whether it is clicked.
 bool draw_cell(Panels& panels, const std::string& name, bool is_chosen) {
   const Editor& editor = panels.editor;
-  const GlyphPointer glyph = editor.project().find(name);
+  const GlyphPointer glyph = editor.project().find(name, editor.master(name));
   if (glyph == nullptr) {
     return false;
   }
