@@ -1,0 +1,140 @@
+"""Makes a family in inkcell-editor's window, by pointer and keys, in Xvfb: eight
+letters, a Bold master of them, an axis, and a variable font by fontmake.
+
+Usage: check_family.py INKCELL_EDITOR INKCELL_RENDER INKCELL_FONTGEN
+
+FreeType, HarfBuzz and inkcell-fontgen open the font. Exits with 77 where a
+Debian package is missing; it says which.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+try:
+    import fontmake  # run as a program
+    import freetype
+except ImportError as missing:
+    print(f"skipped: {missing}; install python3-freetype and fontmake")
+    sys.exit(77)
+if shutil.which("hb-shape") is None:
+    print("skipped: hb-shape is missing; install libharfbuzz-bin")
+    sys.exit(77)
+
+from check_window import HEIGHT, SELECTED_TEXT, WIDTH, Letters, Window
+from problems import expect, finish
+from xvfb import Display, wait
+
+FILE_MENU = 25, 12       # the menu, and two of its items [px]
+ADD_MASTER = 52, 194
+AXIS = 72, 216
+STEMS = 60               # that Bold's stems are wider by [units]
+WEIGHTS = 400, 500, 700
+
+
+def run(*arguments, cwd):
+    result = subprocess.run(list(map(str, arguments)), text=True, check=False,
+                            capture_output=True, cwd=cwd)
+    if result.returncode != 0:
+        sys.exit(f"{' '.join(map(str, arguments))}: {result.stderr}")
+    return result.stdout
+
+
+def answer(window, item, *keys):
+    """Opens a dialog of the menu File, and types into it."""
+    for place in (FILE_MENU, item):
+        window.send("mousemove", *place)
+        window.send("click", 1)
+        wait(lambda: window.display.pixels() != window.before, "no menu")
+    wait(lambda: SELECTED_TEXT in window.display.pixels(),
+         "the first value of the dialog is not selected")
+    for event in keys:
+        window.display.send(*event)
+
+
+def make_family(display, folder, scripted):
+    letters = Letters([])
+    letters.make()
+    letters.run_script(scripted)
+    window = Window(display, folder)
+    journal = folder / f"{Letters.NAME}.journal"
+    try:
+        window.new_font(Letters.NAME, Letters.CHARS)
+        window.play(letters, scripted)
+        answer(window, ADD_MASTER, ("type", "Bold"), ("key", "Tab"),
+               ("type", STEMS), ("key", "Return"))
+        wait(lambda: journal.exists() and
+             "change_weight" in journal.read_text(), "there is no Bold")
+        answer(window, AXIS, ("key", "Return"))
+        wait(lambda: "set_axes" in journal.read_text(), "there is no axis")
+        window.export(folder, "Letters.designspace")
+    finally:
+        window.process.kill()
+        window.process.wait()
+        display.close()
+    for glyph in "bdhnu":
+        file = folder / Letters.NAME / "glyphs" / f"{glyph}.glif"
+        expect("org.inkcell." in file.read_text(),
+               f"{glyph} lost its strokes or parts in the default master")
+
+
+def stem(face, letter, weight, height):
+    """The ink of a letter's row. [units]"""
+    face.set_var_design_coords((weight,))
+    face.set_char_size(1000 * 64)
+    face.load_char(letter, freetype.FT_LOAD_RENDER |
+                   freetype.FT_LOAD_NO_HINTING)
+    bitmap = face.glyph.bitmap
+    row = face.glyph.bitmap_top - height
+    return sum(bitmap.buffer[row * bitmap.pitch:(row + 1) * bitmap.pitch]) / 255
+
+
+def main():
+    fontgen = pathlib.Path(sys.argv[3]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        folder, scripted, screen = (pathlib.Path(name) / part for part in
+                                    ("live", "scripted", "screen"))
+        for part in (folder, scripted, screen):
+            part.mkdir()
+        make_family(Display(screen, WIDTH, HEIGHT), folder, scripted)
+        run(sys.executable, "-m", fontmake.__name__, "-m",
+            "Letters.designspace", "-o", "variable", "--output-path", "V.ttf",
+            "--keep-overlaps", cwd=folder)
+        face = freetype.Face(str(folder / "V.ttf"))
+        for letter, stems, height in (("l", 1, 167), ("i", 1, 167),
+                                      ("h", 2, 167), ("n", 2, 167),
+                                      ("u", 2, 333)):
+            thin, *more = (stem(face, letter, weight, height)
+                           for weight in WEIGHTS)
+            for weight, ink in zip(WEIGHTS[1:], more):
+                wider = stems * STEMS * (weight - 400) / 300
+                expect(abs(ink - thin - wider) <= 2 * stems,
+                       f"{letter} at {weight}: {thin:.0f} > {ink:.0f} units, "
+                       f"not {wider:.0f} more")
+        for letter in Letters.LETTERS:
+            tops = []
+            for weight in WEIGHTS:
+                face.set_var_design_coords((weight,))
+                face.load_char(letter, freetype.FT_LOAD_NO_SCALE)
+                tops.append(face.glyph.outline.get_bbox().yMax)
+            expect(max(tops) - min(tops) <= 1, f"{letter} is {tops} high")
+        shaped = [json.loads(run(
+            "hb-shape", "--output-format=json", f"--variations=wght={weight}",
+            "V.ttf", Letters.TEXT, cwd=folder)) for weight in WEIGHTS]
+        widths = [sum(glyph["ax"] for glyph in line) for line in shaped]
+        expect(all(glyph["g"] != ".notdef" for glyph in shaped[0]) and
+               widths[0] < widths[1] < widths[2], f"HarfBuzz: {shaped}")
+        fonts = []
+        for weight in WEIGHTS:
+            out = folder / f"{weight}.bin"
+            run(fontgen, "--font", "V.ttf", "--axis", f"wght={weight}",
+                "--chars", Letters.CHARS, "--out", out, cwd=folder)
+            fonts.append(out.read_bytes())
+        expect(len(set(fonts)) == 3, "inkcell-fontgen makes one weight only")
+        print(f"'{Letters.TEXT}' is {widths} units wide at {WEIGHTS}")
+    finish()
+
+
+main()
