@@ -52,6 +52,31 @@ def check_knots(editor):
            f"an exported stroke: {font['contours']}")
 
 
+def click(x, y, *more):
+    return " ".join(map(str, ("press", x, y, *more))), f"release {x} {y}"
+
+
+def check_clicks(editor):
+    """Each click adds a knot; a double click, or an undo, ends the stroke."""
+    dot, drawn, ended, undone, again = editor.run(
+        NEW.replace("P.ufo", "C.ufo"), "screenshot 0.ppm",
+        "nib ellipse:80,80,0",
+        "tool Stroke", *click(100, 0), "print", *click(100, 400),
+        *click(300, 500), "print", *click(300, 500, "twice"),
+        *click(500, 0), "print", "key ctrl+z", "print", *click(500, 100),
+        "print")
+    bend = [[100, 0], [100, 400], [300, 500]]
+    expect(stroke_of(dot)["points"] == [[100, 0]] and
+           edges(dot, 0) == (60, 140), f"a dot of the nib: {dot['contours']}")
+    expect(len(drawn["strokes"]) == 1 and stroke_of(drawn)["smooth"] and
+           stroke_of(drawn)["points"] == bend, f"clicks: {drawn['strokes']}")
+    expect([s["points"] for s in ended["strokes"]] == [bend, [[500, 0]]],
+           f"a double click ends a stroke: {ended['strokes']}")
+    expect(undone["strokes"] == drawn["strokes"], "undo of a click")
+    expect([s["points"] for s in again["strokes"]] == [bend, [[500, 100]]],
+           f"a click after undo: {again['strokes']}")
+
+
 def check_nibs(editor):
     """The nib of one knot turns and widens; the other keeps its own."""
     wide, turned, high, refused = editor.run(
@@ -230,5 +255,5 @@ def check_sample(editor):
     expect(again["width"] == changed["width"] == 570, "the sample again")
 
 
-run_checks(check_knots, check_nibs, check_corners, check_change_of_paradigm,
+run_checks(check_knots, check_clicks, check_nibs, check_corners, check_change_of_paradigm,
            check_field_curves, check_mixed, check_snapping, check_sample)

@@ -378,7 +378,9 @@ void draw_apply_or_cancel(Panels& panels) {
   ImGui::SameLine();
   if (is_applied) {
     attempt(editor, [&] { editor.commit(); });
-  } else if (!ImGui::Button("Cancel", {px(110), 0})) {
+  } else if (!ImGui::Button("Cancel", {px(110), 0}) &&
+             (ImGui::IsAnyItemActive() ||
+              !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))) {
     return;
   }
   editor.propose(nullptr);
