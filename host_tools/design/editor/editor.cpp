@@ -216,6 +216,7 @@ void Editor::create(const fs::path& folder,
   Project project;
   FontData font;
   font.info = info;
+  font.info["openTypeOS2Type"] = Value::array();  // no limits of embedding
   project.font = std::make_shared<const FontData>(std::move(font));
   project.apply(change_of(project, add_glyphs(project, glyphs)));
   UfoFiles files;

@@ -1,5 +1,5 @@
-"""Makes a family in inkcell-editor's window, by pointer and keys, in Xvfb: eight
-letters, a Bold master of them, an axis, and a variable font by fontmake.
+"""Makes a family in inkcell-editor's window, in Xvfb, by pointer and keys:
+eight letters, a Bold master of them, an axis, and a variable font by fontmake.
 
 Usage: check_family.py INKCELL_EDITOR INKCELL_RENDER INKCELL_FONTGEN
 
@@ -16,6 +16,7 @@ import tempfile
 try:
     import fontmake  # run as a program
     import freetype
+    from fontTools.ttLib import TTFont
 except ImportError as missing:
     print(f"skipped: {missing}; install python3-freetype and fontmake")
     sys.exit(77)
@@ -23,15 +24,30 @@ if shutil.which("hb-shape") is None:
     print("skipped: hb-shape is missing; install libharfbuzz-bin")
     sys.exit(77)
 
-from check_window import HEIGHT, SELECTED_TEXT, WIDTH, Letters, Window
+from check_window import (HEIGHT, REST, SELECTED_TEXT, WAIT, WIDTH, Letters,
+                          Window)
 from problems import expect, finish
 from xvfb import Display, wait
 
 FILE_MENU = 25, 12       # the menu, and two of its items [px]
 ADD_MASTER = 52, 194
 AXIS = 72, 216
+PICTURE = 494, 381       # of the first glyph in Add component [px]
+PICTURES = 49            # from one to the next one [px]
 STEMS = 60               # that Bold's stems are wider by [units]
 WEIGHTS = 400, 500, 700
+
+
+class PickedLetters(Letters):
+    """Parts are chosen by their pictures."""
+
+    def add_part(self, base):
+        x, y = PICTURE
+        self.add(f"{self.shown}: part {base}",
+                 [f'do {{"do": "add_component", "base": "{base}"}}'],
+                 ("key", "ctrl+shift+c"), WAIT,
+                 ("mousemove", x + PICTURES * self.CHARS.split(",").index(base),
+                  y), ("click", 1), ("mousemove", *REST))
 
 
 def run(*arguments, cwd):
@@ -55,7 +71,7 @@ def answer(window, item, *keys):
 
 
 def make_family(display, folder, scripted):
-    letters = Letters([])
+    letters = PickedLetters([])
     letters.make()
     letters.run_script(scripted)
     window = Window(display, folder)
@@ -103,6 +119,8 @@ def main():
             "Letters.designspace", "-o", "variable", "--output-path", "V.ttf",
             "--keep-overlaps", cwd=folder)
         face = freetype.Face(str(folder / "V.ttf"))
+        expect(TTFont(folder / "V.ttf")["OS/2"].fsType == 0,
+               "V.ttf may not be embedded")
         for letter, stems, height in (("l", 1, 167), ("i", 1, 167),
                                       ("h", 2, 167), ("n", 2, 167),
                                       ("u", 2, 333)):

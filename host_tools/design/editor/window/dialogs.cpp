@@ -211,8 +211,7 @@ const std::vector<Dialog>& dialog_list() {
        {},
        nothing,
        [](Panels& panels, const Values& values) {
-         Editor& editor = panels.editor;
-         editor.run(image_command(editor.project(), values[0]));
+         panels.editor.run(image_command(panels.editor.project(), values[0]));
        }},
   };
   return list;
