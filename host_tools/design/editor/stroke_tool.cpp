@@ -16,11 +16,10 @@ class StrokeTool : public Tool {
  public:
   void press(Editor&, const Pointer& pointer) override {
     path_.clear();
-    if (pointer.twice) {
-      is_continued_ = false;
-    } else {
+    if (!pointer.twice) {
       path_ = {{std::round(pointer.at.x), std::round(pointer.at.y)}};
     }
+    is_continued_ = is_continued_ && !pointer.twice;
   }
 
   void drag(Editor& editor, const Pointer& pointer) override {
