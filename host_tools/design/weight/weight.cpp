@@ -70,7 +70,9 @@ class Weight {
     StemShift stems = shift_of_stems(shape_, level_edges(turned, shape_),
                                      growth.across, change.squeeze);
     goes_ = std::move(stems.shift);
-    counters_ = std::move(stems.counters);
+    if (change.squeeze < 1) {
+      counters_ = std::move(stems.counters);
+    }
     holds_top_ = rises_.at(shape_.box().y1) == -growth.up;
     holds_bottom_ = rises_.at(shape_.box().y0) == growth.up;
     for (const PointContour& contour : before_) {
@@ -87,7 +89,7 @@ class Weight {
     for (int round = 0; round < kRounds; ++round) {
       const gen::Shape shape(outline_of(after));
       hold_heights(shape.box());
-      hold_counters(shape);
+      hold_counters(shape, round == 0);
       for (size_t c = 0; c < pieces_.size(); ++c) {
         correct(c, pieces_of(after[c]), shape);
       }
@@ -155,14 +157,17 @@ class Weight {
     }
   }
 
-  // A counter between slanted stems is wider at its end than halfway up.
-  void hold_counters(const gen::Shape& shape) {
+  // The part of counters between slanted stems that stays.
+  void hold_counters(const gen::Shape& shape, bool is_first) {
     constexpr double kMore = 1.5;
     std::vector<double> row;
-    for (const SlantedCounter& counter : counters_) {
+    for (SlantedCounter& counter : counters_) {
       shape.crossings(counter.y, row);
       if (counter.end + 1 < row.size()) {
         const double now = row[counter.end + 1] - row[counter.end];
+        if (is_first) {
+          counter.width -= change_.squeeze * (counter.width - now);
+        }
         goes_.raise(counter.from, kMore * (counter.width - now), true);
       }
     }

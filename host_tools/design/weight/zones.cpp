@@ -344,9 +344,6 @@ StemShift shift_of_stems(const gen::Shape& shape,
   for (size_t end = 1; end + 1 < rows[best].size(); end += 2) {
     add_counter(box, rows, best, end, result.counters);
   }
-  for (SlantedCounter& counter : result.counters) {
-    counter.width += by_of(1) - by_of(0) - 2 * across;
-  }
   return result;
 }
 

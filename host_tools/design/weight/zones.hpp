@@ -70,7 +70,7 @@ struct SlantedCounter {
   double from = 0;   // a place in it, left of what moves with its right stem
   double y = 0;      // where it is measured, halfway up
   size_t end = 0;    // of the ends of ink there: that on its left
-  double width = 0;  // that it should have there
+  double width = 0;  // there
 };
 
 /// How stems move, and the counters that this does not keep.

@@ -149,12 +149,9 @@ const std::vector<Dialog>& dialog_list() {
        },
        [](Panels& panels, const Values& values) {
          Editor& editor = panels.editor;
-         std::vector<Value> commands = {set_characters(values[1])};
+         editor.run(set_characters(values[1]));
          if (values[0] != editor.glyph_name()) {
-           commands.push_back(rename_to(values[0]));
-         }
-         for (Value& command : commands) {
-           editor.run(std::move(command));
+           editor.run(rename_to(values[0]));
          }
        }},
       {"Add master",
