@@ -118,17 +118,22 @@ def check_python(fontgen):
 def check_refused(module, font):
     """What `esphome config` must refuse, and the words of why."""
     whole = module["make_font"](font["fontgen"], font["file"], "0123")
-    bad = {"cut.bin": whole[:-4], "changed.bin": whole[:-1] + b"?", "no.bin": b"no font",
+    headed = {name: whole[:at] + bytes([value]) + whole[at + 1:]
+              for name, at, value in (("newer.bin", 4, 99), ("strikes.bin", 39, 3))}
+    bad = {**headed, "cut.bin": whole[:-4], "changed.bin": whole[:-1] + b"?", "no.bin": b"no font",
            "no.ttf": b"no font", "whole.bin": whole}
     for name, data in bad.items():
         pathlib.Path(name).write_bytes(data)
     problems = []
     plain = {name: value for name, value in font.items() if name != "glyphs"}
-    for change, words in (({"fontgen": "no-such-program", "glyphs": "7"}, "PATH"),
+    for change, words in (({"fontgen": "no-such-program", "glyphs": "7"},
+                           "inkcell-fontgen zip"),
                           ({"glyphs": "0\u4e00"}, "U+4E00"),
                           ({"file": "cut.bin"}, "cut short"),
                           ({"file": "changed.bin"}, "copy it again"),
                           ({"file": "no.bin"}, "no font of"),
+                          ({"file": "newer.bin"}, "has format 0.99"),
+                          ({"file": "strikes.bin"}, "--strike-only"),
                           ({"file": "gone.bin"}, "gone.bin"),
                           ({"file": "no.ttf"}, "no.ttf"),
                           ({"file": "whole.bin", "glyphs": "0"}, "leave `glyphs` out")):
@@ -179,6 +184,8 @@ def main():
     if result.returncode == 0:
         result = run([program])
         print(result.stdout, end="")
+        if "inkcell: the font is none" not in result.stdout:
+            problems.append("a font that does not open is not logged")
     if result.returncode != 0:
         problems.append(result.stdout)
     given = os.environ.get("INKCELL_ESPHOME_DIR")

@@ -239,10 +239,10 @@ def esphome(top, work):
     asyncio.run(component["to_code"]({
         "id": "large", "file": str(top / f"fonts/{FONT}.bin"), "size": 24,
         "levels": 256, "fontgen": "none", "raw": "rom"}))
-    named = re.search(r"file: inkcell/(\S+)", (
-        top / "port/esphome/example.yaml").read_text()).group(1)
-    if codegen.libraries != {("Inkcell", None, f"symlink://{top}")} or not (
-            top / named).is_file():
+    named = {name for sample in ("example", "oled") for name in re.findall(
+        r"file: inkcell/(\S+)", (top / f"port/esphome/{sample}.yaml").read_text())}
+    if codegen.libraries != {("Inkcell", None, f"symlink://{top}")} or len(named) < 2 or (
+            not all((top / name).is_file() for name in named)):
         finish(0, [f"ESPHome: {codegen.libraries}, {named}"])
     write_header(work, codegen.arrays[0])
     from_library_json(top, work, {

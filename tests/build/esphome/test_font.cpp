@@ -86,6 +86,8 @@ int main() {
   esphome::inkcell_font::InkcellFont none(nullptr, 0, 1280, false);
   int width = 1, x_offset, baseline, height;
   none.measure("A", &width, &x_offset, &baseline, &height);
+  Screen screen;
+  none.print(0, 0, &screen, {}, "A", {});  // is logged
   return draw(false, false, "21.5 \u00B0C", "Kg") |
          draw(true, false, "21.5 \u00B0C", "Kg") |
          draw(true, true, "21.5 \u00B0C", "Kg") |

@@ -21,13 +21,14 @@ r"""An external component of ESPHome: fonts of any size from one array.
 `id(large)` goes to `print`, `printf`, `strftime` and other functions of a display.
 Fonts of one file and the same glyphs share one array. `levels: 2` is for displays of
 two colours: text is fitted to the grid of pixels, and no colours are mixed. It is the
-default where all displays of the configuration are of platforms that have two.
-inkcell-fontgen is found in PATH, or named by `fontgen`. Where there is none, as on
+default where all displays of the configuration are of platforms that have two;
+`levels: 256` draws like others. inkcell-fontgen is found in PATH, or named by `fontgen`. Where there is none, as on
 Home Assistant OS, `file` is a font that it made elsewhere by --format bin, `sans.bin`;
 its characters are in it. `esphome config` makes or reads each font, and refuses one
-that lacks a character.
+that lacks a character, that is not whole, or that is not of outlines.
 """
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -45,6 +46,7 @@ CONF_FONTGEN = "fontgen"
 CONF_LEVELS = "levels"
 LIBRARY = pathlib.Path(__file__).resolve().parents[4]
 DEFAULT_GLYPHS = "".join(map(chr, [*range(0x20, 0x7f), 0xb0]))
+OUTLINES = 2  # of a font's header, as docs/FORMAT.md has it
 # Platforms of displays of two colours.
 TWO_COLOURS = ("max7219digit", "pcd8544", "ssd1306_i2c", "ssd1306_spi", "ssd1325_spi",
                "st7567_i2c", "st7567_spi", "st7920", "waveshare_epaper")
@@ -97,6 +99,16 @@ def read_font(file):
     if len(rom) < size or zlib.crc32(rom[header:size]) != checksum:
         raise cv.Invalid(f"{file} has {len(rom)} bytes, and the font {size}: it is "
                          "cut short or changed; copy it again")
+    version = (LIBRARY / "core/include/inkcell/version.hpp").read_text()
+    reads = [int(re.search(rf"kFormat{part} = (\d+)", version)[1])
+             for part in ("Major", "Minor")]
+    if [rom[5], rom[4]] != reads:
+        raise cv.Invalid(f"{file} has format {rom[5]}.{rom[4]}, and this Inkcell reads "
+                         f"{reads[0]}.{reads[1]}: make it by the inkcell-fontgen of the "
+                         "same release")
+    if rom[39] != OUTLINES:
+        raise cv.Invalid(f"{file} has no outlines, of which any size is made: make it "
+                         "without --strike-only and --coding")
     return rom
 
 
@@ -106,8 +118,9 @@ def make_font(fontgen, file, glyphs):
         return read_font(file)
     program = shutil.which(fontgen)  # on Windows npm's is a .cmd
     if program is None:
-        raise cv.Invalid(f"there is no program {fontgen}: build Inkcell, and put "
-                         "inkcell-fontgen into PATH or name it by `fontgen`")
+        raise cv.Invalid(f"there is no program {fontgen}: unpack the release's "
+                         "inkcell-fontgen zip, or build Inkcell, and put it into PATH "
+                         "or name it by `fontgen`; a .bin needs none")
     with tempfile.TemporaryDirectory() as folder:
         symbols = pathlib.Path(folder) / "glyphs.txt"
         symbols.write_text(glyphs, encoding="utf-8")

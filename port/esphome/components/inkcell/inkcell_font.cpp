@@ -1,6 +1,7 @@
 // Coverage to pixels of a display of ESPHome.
 #include "inkcell_font.h"
 
+#include "esphome/core/log.h"
 #include "inkcell/painter.hpp"
 
 namespace esphome {
@@ -79,6 +80,8 @@ void InkcellFont::print(int x,
                         const char* text,
                         Color background) {
   if (!is_open_) {
+    ESP_LOGE("inkcell", "the font is none of outlines of this version: \"%s\"",
+             text);
     return;
   }
   DisplaySink sink;
