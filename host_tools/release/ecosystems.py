@@ -31,6 +31,15 @@ OF_PLATFORMIO = (*DEVICE, "library.json", "port/arduino/InkcellPrint.h",
                  "port/platformio")
 # What all archives but that of all fonts leave out: the longest sets.
 LEFT_OUT = ("european",)
+# What a reader of the table wants to know.
+SETS = """
+`digits` has a space and `{digits}`; `ascii` has U+0020 to U+007E, without the degree sign; `latin1`
+has that and U+00A0 to U+00FF, with the degree sign. The euro sign is in none of them, but in the set
+`european` of `inkcell-fonts`, a file of the release of its own. Faces of segments lack some signs.
+
+An icon is a character: `"\\uE2BD"` is the cloud of `material_icons_weather`, `"\\U0001F525"` a fire
+in `noto_emoji_signs`, a font of one colour. [FONTS.md](FONTS.md) has the codes of all.
+"""
 # What makes the font of an example where none is ready.
 MAKING = re.compile(r"\ninkcell_add_font\([^)]*\).*|(?s:\n; inkcell-fontgen is .*)")
 
@@ -102,7 +111,7 @@ def faces():
 
 
 def add_fonts(form, folder, licences):
-    """Copies fonts of one form. Lines of a table of them."""
+    """Copies fonts of one form, with FONTS.md. Lines of a table of them."""
     ready = ready_fonts()
     source = ready / form / ("fonts" if form != "bin" else "")
     folder.mkdir(parents=True, exist_ok=True)
@@ -115,7 +124,13 @@ def add_fonts(form, folder, licences):
         lines.append(f"| `{face['face']}` | {face['kind']} | "
                      f"{', '.join(f'`{name}`' for name in sets)} | "
                      f"[{face['licence']}](licences/{face['face']}.txt) |")
-    return "\n".join(lines)
+    digits = TABLE["sets"]["digits"]["options"][0].partition("=")[2]
+    lines.append(SETS.format(digits=digits.strip()))
+    codes = [line for line in (ready / "FONTS.md").read_text().splitlines()
+             if line.startswith("`")]
+    (licences.parent / "FONTS.md").write_text(
+        "\n\n".join(["# Codes of icons and emoji", *codes, ""]))
+    return "\n".join(lines).rstrip()
 
 
 def add_files(top, patterns):
@@ -129,6 +144,13 @@ def add_files(top, patterns):
             path.write_text(MAKING.sub("\n", path.read_text()))
 
 
+def fonts_of_strikes():
+    """Characters and names of the fonts that an example of Arduino has made."""
+    sketch = ROOT / "port/arduino/examples/Adafruit_SSD1306_Strikes"
+    return re.findall(r"--chars (\S+)[^-]*--strike \S+ --strike-only --name (\S+)",
+                      (sketch / f"{sketch.name}.ino").read_text())
+
+
 def make_archive(release, name):
     archive = ARCHIVES[name]
     work = release.work / name
@@ -138,7 +160,7 @@ def make_archive(release, name):
     else:
         run(sys.executable, "-B", "port/arduino/pack.py", top)
         ready_fonts()  # has the generator built
-        for font, chars in (("sans_11", "0x20-0x7E"), ("digits_24", "0x30-0x39")):
+        for chars, font in fonts_of_strikes():
             run(TOOLS / "fonts_gen/inkcell-fontgen", "--quiet", f"--chars={chars}",
                 "--font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                 "--strike-only", f"--strike={font[-2:]}:1", f"--name={font}",

@@ -24,6 +24,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_tools/common"))
@@ -135,14 +136,22 @@ class Face:
         self.options = {}
         self.specimens = {}
         self.reports = {}
+        self.codes = {}  # of icons and emoji, which are no letters
         for name, shared in sets.items():
             if self.icons:
                 codes = self.icons[name].values()
+                self.codes[name] = ", ".join(f"{icon} U+{code}" for icon, code in
+                                             self.icons[name].items())
                 self.options[name] = [f"--chars={','.join(map('0x{}'.format, codes))}"]
                 self.specimens[name] = "".join(chr(int(code, 16)) for code in codes)
             else:
                 self.options[name] = shared["options"]
                 self.specimens[name] = shared["specimen"]
+                if self.kind == "emoji":
+                    asked = shared["options"][0].partition("=")[2]
+                    self.codes[name] = (
+                        asked.replace("0x", "U+") if asked.startswith("0x") else
+                        ", ".join(f"{sign} U+{ord(sign):04X}" for sign in asked))
 
 
 def grey_picture(path):
@@ -150,6 +159,13 @@ def grey_picture(path):
     _, size, _, pixels = path.read_bytes().split(b"\n", 3)
     width, height = map(int, size.split())
     return [pixels[y * width:(y + 1) * width] for y in range(height)]
+
+
+def tell_icons(header, codes):
+    """Writes the names and codes of icons into the header of their font."""
+    lines = textwrap.fill(f"/* {codes} */", 80, subsequent_indent=" * ")
+    header.write_text(header.read_text().replace(
+        "#pragma once\n", f"{lines}\n#pragma once\n", 1))
 
 
 class Maker:
@@ -182,6 +198,9 @@ class Maker:
                           f"--out={in_c}/{font}.c", f"--header={in_c}/{font}.h",
                           f"--out={self.folder}/bin/{font}.bin")
             face.reports[name] = json.loads(report.read_text())
+            if face.icons:
+                for header in (f"hpp/fonts/{font}.hpp", f"c/fonts/{font}.h"):
+                    tell_icons(self.folder / header, face.codes[name])
         (self.folder / f"licences/{face.name}.txt").write_text(
             face.package.licence(face.licence))
         self.draw_specimen(face)
@@ -218,7 +237,7 @@ def bytes_of(face, name):
 
 
 def tables(faces):
-    """FONTS.md: a table for the faces of the same sets, and the codes of icons."""
+    """FONTS.md: a table for the faces of the same sets, and codes of icons, emoji."""
     parts = [INTRODUCTION.format(sizes=", ".join(map(str, SPECIMEN_PX)))]
     for sets in dict.fromkeys(tuple(face.options) for face in faces):
         titles = ["face", "kind", *(f"`{name}`" for name in sets), "licence", "from",
@@ -232,11 +251,8 @@ def tables(faces):
                     f"[{face.licence}](licences/{face.name}.txt)",
                     face.package.origin(), f"![](specimens/{face.name}.png)"])
         parts.append("".join(f"| {' | '.join(row)} |\n" for row in rows))
-    for face in faces:
-        for name in face.options if face.icons else ():
-            codes = ", ".join(f"{icon} U+{code}"
-                              for icon, code in face.icons[name].items())
-            parts.append(f"`{face.name}_{name}`: {codes}.\n")
+    parts += [f"`{face.name}_{name}`: {codes}.\n" for face in faces
+              for name, codes in face.codes.items()]
     return "\n".join(parts)
 
 

@@ -157,11 +157,16 @@ class InkcellPrint : public Print {
   InkcellPrint& operator=(const InkcellPrint&) = delete;
 
   /// A font, which must outlive it, and px to the em: 24, 13.5 or 13.5_px.
-  /// False: the bytes are no font of this version; nothing is printed then.
+  /// False: the size is not above 0, or the bytes are no outlines of this
+  /// version, such as strikes, which setStrikes() takes; nothing is printed
+  /// then. A line that a line feed has begun keeps its top, so that its paper
+  /// leaves the line before.
   bool setFont(inkcell::Span<const uint8_t> font, inkcell::Q26_6 size) {
     style_ = inkcell::Style(size);
-    is_open_ = inkcell::Font::open(font, font_) == inkcell::Status::ok;
+    is_open_ = size.raw > 0 &&
+               inkcell::Font::open(font, font_) == inkcell::Status::ok;
     fit();
+    keep_top();
     return is_open_;
   }
   bool setFont(inkcell::Span<const uint8_t> font, double size) {
@@ -174,12 +179,14 @@ class InkcellPrint : public Print {
 
   /// The same of strikes of 1 bit, pictures of letters at one size that
   /// `inkcell-fontgen --strike 11:1 --strike-only` makes. A sketch that calls
-  /// setFont() nowhere takes 15 KB less flash. False: `size` is no multiple.
+  /// setFont() nowhere takes 15 KB less flash. False: `size` is no multiple,
+  /// or the font has outlines, which setFont() takes.
   bool setStrikes(inkcell::Span<const uint8_t> font, int size) {
     style_ = inkcell::Style(inkcell::Q26_6::from_int(size));
     is_open_ = inkcell::Font::open(font, inkcell::kBitStrikeCoding, font_) ==
                    inkcell::Status::ok &&
                font_.check(style_) == inkcell::Status::ok;
+    keep_top();
     return is_open_;
   }
 
@@ -201,6 +208,8 @@ class InkcellPrint : public Print {
   void setCursor(int x, int y) {
     x_ = inkcell::Q26_6::from_int(x);
     y_ = y;
+    new_line_ascent_ = 0;
+    held_count_ = 0;
   }
   int16_t getCursorX() const { return static_cast<int16_t>(ceil_px(x_)); }
   int16_t getCursorY() const { return static_cast<int16_t>(y_); }
@@ -217,6 +226,20 @@ class InkcellPrint : public Print {
   int16_t fontAscent() const {
     return static_cast<int16_t>(is_open_ ? inkcell::baseline(options()).floor()
                                          : 0);
+  }
+
+  /// Whether the font has each character of a text; others are drawn as boxes.
+  bool hasGlyphs(const char* text) const {
+    inkcell::Text rest = text;
+    uint16_t glyph = 0;
+    while (rest.size > 0) {
+      const uint32_t code = inkcell::next_code_point(rest);
+      if (code >= ' ' &&
+          font_.glyph_of(code, glyph) != inkcell::Status::ok) {
+        return false;
+      }
+    }
+    return is_open_;
   }
 
   /// How far the cursor goes.
@@ -332,6 +355,17 @@ class InkcellPrint : public Print {
   void end_line() {
     x_ = {};
     y_ += fontHeight();
+    new_line_ascent_ = fontAscent();
+  }
+
+  // Another font begins: no character goes on, and an empty line moves its
+  // baseline.
+  void keep_top() {
+    held_count_ = 0;
+    if (new_line_ascent_ > 0 && is_open_) {
+      y_ += fontAscent() - new_line_ascent_;
+      new_line_ascent_ = fontAscent();
+    }
   }
 
   // Goes from one place where a line may end to the next, and draws when there
@@ -386,6 +420,7 @@ class InkcellPrint : public Print {
 
   // Draws a run at the cursor, with the paper of its line, and goes past it.
   void draw(inkcell::Text run) {
+    new_line_ascent_ = run.size > 0 ? 0 : new_line_ascent_;
     const inkcell::Point origin = {x_, inkcell::Q26_6::from_int(y_)};
     const int32_t first = x_.floor();
     x_.raw += width_of(run).raw;
@@ -455,6 +490,7 @@ class InkcellPrint : public Print {
   inkcell::arduino::Colours colours_;
   inkcell::Q26_6 x_;
   int32_t y_ = 0;
+  int32_t new_line_ascent_ = 0;  // of a line without text; 0: of others
   inkcell::Font font_;
   inkcell::Style style_;
   inkcell::Fit fit_;

@@ -138,7 +138,10 @@ def main():
     url = "https://example.org/inkcell"
     call(sys.executable, "-B", PACK, folder, "--url", url)
     make_font(fontgen, folder / "src/fonts/dejavu_sans_latin1.hpp", "0x20-0x7E,0xB0")
-    for name, chars in (("sans_11", "0x20-0x7E"), ("digits_24", "0x30-0x39")):
+    sketch = folder / "examples/Adafruit_SSD1306_Strikes/Adafruit_SSD1306_Strikes.ino"
+    told = re.findall(r"--chars (\S+)[^-]*--strike \S+ --strike-only --name (\S+)",
+                      sketch.read_text())
+    for chars, name in told:
         make_font(fontgen, folder / f"examples/Adafruit_SSD1306_Strikes/{name}.h",
                   chars, "--strike-only", f"--strike={name[-2:]}:1")
     problems = check_rules(folder, url)

@@ -1,6 +1,6 @@
 """Checks the fonts of host_tools/release/fonts.py, of two faces: a compiler takes them
 with the library as two files, all forms have the same bytes, licences and pictures lie
-beside them, and two runs give the same. host_tools/setup.sh has the packages of all.
+beside them, headers name icons, and two runs give the same. host_tools/setup.sh has the packages of all.
 
 Usage: check_fonts.py WORK_FOLDER FONTGEN RENDER
 """
@@ -83,6 +83,13 @@ def main():
     problems += [f"made again, {name} differs"
                  for name in sorted({*files, *again})
                  if files.get(name) != again.get(name)]
+    call(sys.executable, "-B", RELEASE / "fonts.py", fontgen, work / "icons", "--render",
+         render, "--only", "font_awesome", "--sets", "weather")
+    problems += [f"{name} does not tell the code of an icon"
+                 for name in ("FONTS.md", "hpp/fonts/font_awesome_weather.hpp",
+                              "c/fonts/font_awesome_weather.h")
+                 if "umbrella U+F0E9" not in
+                 re.sub(r"\n \*", "", (work / "icons" / name).read_text())]
     result = run([sys.executable, "-B", RELEASE / "fonts.py", fontgen, work, "--only",
                   "nothing"])
     if result.returncode == 0 or "there are inter" not in result.stdout:

@@ -1,6 +1,6 @@
 // Lines end between words, at the right edge; text without a paper lies on what
 // was there. A long word is cut, the bytes of a character may come one by one,
-// and nothing is printed without a font.
+// nothing is printed without a font, and lines of several sizes stand apart.
 #include "Adafruit_ST7789_Text.ino"
 #include "expected.hpp"
 
@@ -57,6 +57,41 @@ static int check_edges() {
          !is_silent | !is_bounded;
 }
 
+// A font that follows a line feed moves the baseline, not the top of the line:
+// its paper leaves the line before.
+static int check_sizes() {
+  GFXcanvas16 canvas(120, 120);
+  InkcellPrint out(canvas);
+  const Expected small(fonts::dejavu_sans_latin1, 12, false);
+  const Expected large(fonts::dejavu_sans_latin1, 40, false);
+  out.setTextColor(0xffff, 0x0000);
+  out.setFont(fonts::dejavu_sans_latin1, 12);
+  out.setCursor(0, small.ascent());
+  out.println("gjpq");
+  out.setFont(fonts::dejavu_sans_latin1, 40);
+  out.setFont(fonts::dejavu_sans_latin1, 12);
+  bool is_good = out.getCursorY() == small.ascent() + small.line();
+  out.setFont(fonts::dejavu_sans_latin1, 40);
+  out.write(0xc2);  // a character that never ends
+  out.setFont(fonts::dejavu_sans_latin1, 40);
+  out.println("A");
+  out.setFont(fonts::dejavu_sans_latin1, 12);
+  const int y = small.line() + large.line() + small.ascent();
+  is_good = is_good && out.getCursorY() == y;
+  out.setCursor(50, y);
+  is_good = is_good && !out.setFont(fonts::dejavu_sans_latin1, 0) &&
+            !out.setFont(fonts::dejavu_sans_latin1, -4) &&
+            out.print("A") == 0 && !out.hasGlyphs("A") &&
+            out.setFont(fonts::dejavu_sans_latin1, 12) &&
+            out.getCursorY() == y && out.hasGlyphs("21.5 \u00B0C\n") &&
+            !out.hasGlyphs("A\u20AC");
+  static uint16_t pixels[120 * 120];
+  const auto paper = inkcell::port::gfx_canvas16(pixels, 120, 120);
+  small.draw(paper, 0, small.ascent(), "gjpq");
+  large.draw(paper, 0, small.line() + large.ascent(), "A");
+  return compare("sizes", canvas.getBuffer(), pixels, 120 * 120) | !is_good;
+}
+
 int main() {
-  return check_example() | check_edges();
+  return check_example() | check_edges() | check_sizes();
 }

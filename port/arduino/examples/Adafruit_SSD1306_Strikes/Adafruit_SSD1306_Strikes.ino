@@ -1,6 +1,11 @@
 // Two sizes on an OLED of 1 bit in 24 KB of flash, with Adafruit's libraries: the
-// fonts beside this sketch are pictures of letters, from DejaVuSans.ttf, by
-// inkcell-fontgen --strike 11:1 --strike-only, and 24:1 of digits.
+// fonts beside this sketch are pictures of letters at one size. Others are made by
+//
+//   inkcell-fontgen --font DejaVuSans.ttf \
+//       --chars 0x20-0x7E,0xB0,0xC4,0xD6,0xDC,0xDF,0xE4,0xF6,0xFC \
+//       --strike 11:1 --strike-only --name sans_11 --out sans_11.h
+//   inkcell-fontgen --font DejaVuSans.ttf --chars 0x20,0x2B-0x3A,0xB0 \
+//       --strike 24:1 --strike-only --name digits_24 --out digits_24.h
 #include <Adafruit_GFX.h>
 #include <Adafruit_SSD1306.h>
 #include <Inkcell.h>
