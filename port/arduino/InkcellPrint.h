@@ -163,8 +163,8 @@ class InkcellPrint : public Print {
   /// leaves the line before.
   bool setFont(inkcell::Span<const uint8_t> font, inkcell::Q26_6 size) {
     style_ = inkcell::Style(size);
-    is_open_ = size.raw > 0 &&
-               inkcell::Font::open(font, font_) == inkcell::Status::ok;
+    is_open_ =
+        size.raw > 0 && inkcell::Font::open(font, font_) == inkcell::Status::ok;
     fit();
     keep_top();
     return is_open_;
@@ -234,8 +234,7 @@ class InkcellPrint : public Print {
     uint16_t glyph = 0;
     while (rest.size > 0) {
       const uint32_t code = inkcell::next_code_point(rest);
-      if (code >= ' ' &&
-          font_.glyph_of(code, glyph) != inkcell::Status::ok) {
+      if (code >= ' ' && font_.glyph_of(code, glyph) != inkcell::Status::ok) {
         return false;
       }
     }

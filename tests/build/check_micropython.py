@@ -19,8 +19,9 @@ WITHOUT = ["MICROPY_PY_BTREE=0", "MICROPY_PY_SSL=0", "MICROPY_SSL_MBEDTLS=0",
            "MICROPY_PY_FFI=0", "MICROPY_PY_THREAD=0", "MICROPY_PY_SOCKET=0",
            "FROZEN_MANIFEST="]
 # What draw.py must say, but for its counts of pixels.
-SAID = ["inkcell: bad_magic", "inkcell: buffer_small", "inkcell: unsupported",
-        "inkcell: bad_argument", "inkcell: read_failed", "color True",
+SAID = ["inkcell: font: bad_magic", "inkcell: buffer: buffer_small",
+        "inkcell: format: unsupported", "inkcell: size: bad_argument",
+        "inkcell: x: bad_argument", "inkcell: font: read_failed", "TrueType", "color True",
         "lines ['21 22', '23', '24 25'] True", "below 24 24 True True",
         "wrap(text, width, size", "see help(inkcell.Font)"]
 UNSAID = ["no error", "ends beyond"]
@@ -52,9 +53,13 @@ def check_real(sources, work, build, fontgen):
         result = run(command)
         if result.returncode != 0:
             return [" ".join(map(str, command)) + "\n" + result.stdout[-3000:]]
-    shown = run([program, ROOT / "port/micropython/example.py"], cwd=work)
-    if shown.returncode != 0:
-        return [f"example.py: {shown.stdout}"]
+    for example in ("example.py", "oled.py"):
+        shown = run([program, ROOT / "port/micropython" / example], cwd=work,
+                    env={**os.environ, "MICROPYPATH": str(HERE / "played")})
+        if shown.returncode != 0:
+            return [f"{example}: {shown.stdout}"]
+    if int((re.search(r"ink (\d+)", shown.stdout) or [0, 0])[1]) < 200:
+        return [f"oled.py: {shown.stdout}"]
     drawn = run([program, HERE / "draw.py", font, work / "drawn"])
     print(drawn.stdout, end="")
     problems = [f"draw.py does not say {words}" for words in SAID

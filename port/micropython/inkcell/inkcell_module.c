@@ -54,10 +54,11 @@ typedef union target_t {
   inkcell_mono_pages_target_t pages;
 } target_t;
 
-static void check(inkcell_status_t status) {
+// Raises what is wrong with an argument.
+static void check(const char* argument, inkcell_status_t status) {
   if (status != INKCELL_OK) {
-    mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("inkcell: %s"),
-                      inkcell_status_name(status));
+    mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("inkcell: %s: %s"),
+                      argument, inkcell_status_name(status));
   }
 }
 
@@ -84,22 +85,23 @@ static shaping_t* make_shaping(const inkcell_font_t* font, size_t size) {
   return made;
 }
 
-static int32_t within(mp_int_t number, mp_int_t least) {
-  check(number >= least && number <= MOST_PX ? INKCELL_OK
-                                             : INKCELL_BAD_ARGUMENT);
+static int32_t within(const char* argument, mp_int_t number, mp_int_t least) {
+  check(argument, number >= least && number <= MOST_PX ? INKCELL_OK
+                                                       : INKCELL_BAD_ARGUMENT);
   return (int32_t)number;
 }
 
-static int32_t px_q6(mp_obj_t number) {
+static int32_t px_q6(const char* argument, mp_obj_t number) {
 #if MICROPY_PY_BUILTINS_FLOAT
   if (mp_obj_is_float(number)) {
     const mp_float_t px = mp_obj_get_float(number);
     // Also what is not a number.
-    check(px >= -MOST_PX && px <= MOST_PX ? INKCELL_OK : INKCELL_BAD_ARGUMENT);
+    check(argument,
+          px >= -MOST_PX && px <= MOST_PX ? INKCELL_OK : INKCELL_BAD_ARGUMENT);
     return (int32_t)(px * 64);
   }
 #endif
-  return within(mp_obj_get_int(number), -MOST_PX) * 64;
+  return within(argument, mp_obj_get_int(number), -MOST_PX) * 64;
 }
 
 // MVLSB, MHLSB and MHMSB.
@@ -112,9 +114,9 @@ static const inkcell_font_t* font_of(const font_obj_t* self) {
   if (!self->is_copy) {
     mp_buffer_info_t rom;
     mp_get_buffer_raise(self->object, &rom, MP_BUFFER_READ);
-    check(rom.buf == self->bytes && rom.len >= self->size
-              ? INKCELL_OK
-              : INKCELL_READ_FAILED);
+    check("font", rom.buf == self->bytes && rom.len >= self->size
+                      ? INKCELL_OK
+                      : INKCELL_READ_FAILED);
   }
   return &self->font;
 }
@@ -124,12 +126,13 @@ static void make_look(const font_obj_t* self,
                       bool fitted,
                       bool is_mono,
                       look_t* look) {
-  const int32_t size_q6 = px_q6(size);
-  check(inkcell_style_make(size_q6, &inkcell_filter_area, &look->style));
+  const int32_t size_q6 = px_q6("size", size);
+  check("size",
+        inkcell_style_make(size_q6, &inkcell_filter_area, &look->style));
   if (fitted) {
-    check(inkcell_fit_make(&self->font, &look->style,
-                           is_mono || size_q6 < INKCELL_Q6(12), is_mono ? 2 : 0,
-                           256, &look->fit));
+    check("size", inkcell_fit_make(&self->font, &look->style,
+                                   is_mono || size_q6 < INKCELL_Q6(12),
+                                   is_mono ? 2 : 0, 256, &look->fit));
     inkcell_style_set_fit(&look->style, &look->fit);
   } else {
     // Painters of 1 and 2 bits would fit it.
@@ -161,7 +164,7 @@ static mp_obj_t font_make_new(const mp_obj_type_t* type,
     }
     status = inkcell_font_open(self->bytes, self->size, &self->font);
   }
-  check(status);
+  check("font", status);
   return MP_OBJ_FROM_PTR(self);
 }
 
@@ -262,21 +265,22 @@ static mp_obj_t font_text(size_t n_args,
             &look);
   inkcell_strip_t strip = {.pixels = pixels.buf,
                            .size = pixels.len,
-                           .width = within(args[wide].u_int, 0),
-                           .height = within(args[high].u_int, 0)};
+                           .width = within("width", args[wide].u_int, 0),
+                           .height = within("height", args[high].u_int, 0)};
   strip.order = args[order].u_bool ? INKCELL_HIGH_FIRST : INKCELL_LOW_FIRST;
   target_t target;
   inkcell_sink_t sink;
   const mp_int_t ink = args[color].u_int;
-  check(make_sink(strip, kind, ink < 0 ? args[colour].u_int : ink, &target,
-                  &sink));
+  const inkcell_status_t made = make_sink(
+      strip, kind, ink < 0 ? args[colour].u_int : ink, &target, &sink);
+  check(made == INKCELL_UNSUPPORTED ? "format" : "buffer", made);
   size_t count;
   const char* const string = mp_obj_str_get_data(args[text].u_obj, &count);
   shaping_t* const shaping = make_shaping(font_of(self), count);
   const inkcell_painter_t painter = {
       .sink = &sink, .lines = shaping == NULL ? NULL : &shaping->lines};
   draw_lines(&painter, font_of(self), &look.style, string, count,
-             px_q6(args[x].u_obj), px_q6(args[y].u_obj));
+             px_q6("x", args[x].u_obj), px_q6("y", args[y].u_obj));
   return mp_const_none;
 }
 static MP_DEFINE_CONST_FUN_OBJ_KW(font_text_obj, 1, font_text);
@@ -347,7 +351,7 @@ static mp_obj_t font_wrap(size_t n_args,
   look_t look;
   const inkcell_font_t* const font =
       parse(allowed, 3, n_args, pos_args, kw_args, args, &look);
-  const int32_t width_q6 = within(args[1].u_int, 0) * 64;
+  const int32_t width_q6 = within("width", args[1].u_int, 0) * 64;
   size_t size;
   const char* const text = mp_obj_str_get_data(args[0].u_obj, &size);
   inkcell_layout_options_t options;
@@ -396,11 +400,12 @@ static MP_DEFINE_CONST_FUN_OBJ_2(font_ascent_obj, font_ascent);
 
 static MP_DEFINE_STR_OBJ(
     font_doc,
-    "Font(bytes): a font that inkcell-fontgen --format bin made. Lengths in "
-    "px.\n"
+    "Font(bytes): a font that inkcell-fontgen --format bin made, or a TrueType "
+    "file. Lengths in px.\n"
     "text(buffer, width, height, format, text, x, y, size, colour=0xFFFF, *, "
-    "fit=True, high_first=False): draws lines into a buffer of framebuf, from "
-    "the left end of the first baseline, (x, y).\n"
+    "color, fit=True, high_first=False): draws lines into a buffer of "
+    "framebuf, "
+    "from the left end of the first baseline, (x, y). color is colour.\n"
     "width(text, size, format=RGB565, *, fit=True): of the longest line, as "
     "drawn in that format.\n"
     "wrap(text, width, size, format=RGB565, *, fit=True): a list of lines.\n"
