@@ -33,7 +33,7 @@ HEADS = ("port/arduino/pack.py", "inkcell-fontgen --help")
 STUDIO = ("host_tools/design/", "docs/SIMULATOR.md")
 # Files that are there.
 FILES = {
-    "DejaVuSans.ttf": FONT, "Sans.ttf": FONT, "FONT.ttf": FONT,
+    "DejaVuSans.ttf": FONT, "Sans.ttf": FONT, "FONT.ttf": FONT, "twemoji.woff2": FONT,
     "Loma.ttf": FONTS / "truetype/tlwg/Loma.ttf",
     "NotoSansCJK-Regular.ttc": FONTS / "opentype/noto/NotoSansCJK-Regular.ttc",
     # LVGL's is not here; this one has the same symbols.
@@ -59,7 +59,8 @@ FILES = {
 # What the text before a block tells its reader to do.
 BEFORE = {"c++ -std=c++17": "cp FOLDER/inkcell.* .\n",
           # MicroPython's sources are not here; the module that is named is.
-          "make -C ports/": 'make() { ls "${3#*=FOLDER/}"; }\n',
+          "make -C mpy-cross": 'make() { case "$*" in *=FOLDER/*) '
+                               'ls "${*#*=FOLDER/}";; esac; }\n',
           "inkcell-simulator --display": "sed -n '/^    # FILE/,/^$/s/^    //p' "
                                          "docs/SIMULATOR.md >FILE\n"}
 OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]+")

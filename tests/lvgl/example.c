@@ -1,4 +1,4 @@
-// The code of docs/DRAW.md, "With LVGL", compiled as C.
+// Fonts of LVGL, compiled as C.
 #include "example.h"
 
 #include "inkcell/lvgl/inkcell_lvgl.h"

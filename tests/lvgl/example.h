@@ -1,4 +1,4 @@
-// The example of docs/DRAW.md.
+// Examples: of C, and that of docs/DRAW.md.
 #ifndef INKCELL_TESTS_LVGL_EXAMPLE_H
 #define INKCELL_TESTS_LVGL_EXAMPLE_H
 
@@ -11,6 +11,9 @@ extern "C" {
 
 /** Two labels on the active screen; false if the ROM is no font. */
 bool show_example(const void* rom, size_t rom_bytes);
+
+/** One label; false if its font is none. */
+bool show_kitchen(void);
 
 #ifdef __cplusplus
 }

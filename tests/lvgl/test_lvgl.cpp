@@ -483,7 +483,14 @@ TEST(layers_are_drawn_into) {
       0);
 }
 
-TEST(documented_example_draws) {
+TEST(documented_program_draws) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, 12);
+  const Picture blank = screen.draw();
+  CHECK(show_kitchen());
+  CHECK(count_other(blank, screen.draw()) > 300);
+}
+
+TEST(example_of_c_draws) {
   Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, 12);
   const Picture blank = screen.draw();
   CHECK(show_example(fonts::lv_sans, sizeof fonts::lv_sans));
