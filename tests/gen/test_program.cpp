@@ -144,6 +144,7 @@ TEST_F(Program, ListsTakeWhatTheirHelpShows) {
   const std::string help = run("--help").out;
   EXPECT_TRUE(contains(help, "--svg FILE=CODE ..."));
   EXPECT_TRUE(contains(help, "--chars LIST  "));
+  EXPECT_LT(help.find("  --font FILE"), help.find("  --colour"));
 }
 
 TEST_F(Program, NamesTheFaceThatItTakes) {
