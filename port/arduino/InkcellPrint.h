@@ -160,7 +160,7 @@ class InkcellPrint : public Print {
   /// False: the size is not above 0, or the bytes are no outlines of this
   /// version, such as strikes, which setStrikes() takes; nothing is printed
   /// then. A line that a line feed has begun keeps its top, so that its paper
-  /// leaves the line before.
+  /// does not cover the line before.
   bool setFont(inkcell::Span<const uint8_t> font, inkcell::Q26_6 size) {
     style_ = inkcell::Style(size);
     is_open_ =

@@ -21,11 +21,11 @@ r"""An external component of ESPHome: fonts of any size from one array.
 `id(large)` goes to `print`, `printf`, `strftime` and other functions of a display.
 Fonts of one file and the same glyphs share one array. `levels: 2` is for displays of
 two colours: text is fitted to the grid of pixels, and no colours are mixed. It is the
-default where all displays of the configuration are of platforms that have two;
-`levels: 256` draws like others. inkcell-fontgen is found in PATH, or named by `fontgen`. Where there is none, as on
+default where all displays of the configuration are of platforms that have two.
+inkcell-fontgen is found in PATH, or named by `fontgen`. Where there is none, as on
 Home Assistant OS, `file` is a font that it made elsewhere by --format bin, `sans.bin`;
 its characters are in it. `esphome config` makes or reads each font, and refuses one
-that lacks a character, that is not whole, or that is not of outlines.
+that lacks a character, is not whole, or is not of outlines.
 """
 import pathlib
 import re
