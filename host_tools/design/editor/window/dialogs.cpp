@@ -411,9 +411,9 @@ void draw_dialogs(Panels& panels) {
     draw_outline_question(panels.editor);
     return;
   }
-  for (const auto& [name, draw] : {std::pair(kQuestion, draw_question),
-                                   {kTransform, draw_transform},
-                                   {kWeight, draw_weight}}) {
+  for (const auto& [name, draw] : {std::pair(kQuestion, &draw_question),
+                                   {kTransform, &draw_transform},
+                                   {kWeight, &draw_weight}}) {
     if (panels.dialog == name) {
       draw(panels);
       return;
