@@ -29,7 +29,8 @@
 #include "player.hpp"
 #include "program.hpp"
 #include "progress.hpp"
-#include "scene_icons.hpp"
+#include "reel.hpp"
+#include "scene_files.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -37,7 +38,7 @@ namespace {
 constexpr const char* kDefaultFont =
     "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 
-// The scenes of the reel, row by row.
+// The scenes of the classic reel, row by row.
 constexpr int kReelColumns = 5;
 constexpr int kReelRows = 2;
 constexpr const char* kReelSize = "800x160";
@@ -63,6 +64,7 @@ struct Arguments {
   std::string print;
   int rows = 16;
   int zoom = 1;
+  bool classic = false;
 };
 
 struct Size {
@@ -111,20 +113,6 @@ const std::map<std::string, simulation::PrintStyle>& print_styles() {
       {"halftone", PrintStyle::halftone},
       {"relief", PrintStyle::relief}};
   return styles;
-}
-
-const SceneKind& find_scene(const std::string& name) {
-  for (const SceneKind& kind : scene_kinds()) {
-    if (kind.name == name) {
-      return kind;
-    }
-  }
-  std::string known;
-  for (const SceneKind& kind : scene_kinds()) {
-    known += " " + std::string(kind.name);
-  }
-  known += " reel";
-  throw std::runtime_error(name + ": no such scene; there are" + known);
 }
 
 class Sha256 {
@@ -302,14 +290,6 @@ void write_stats(const Arguments& arguments,
   }
 }
 
-Image draw_frame(Player& player, DisplayMemory& memory, int rows) {
-  memory.show(rows, [&player](const Strip& strip) {
-    DisplayPaper paper(Display::xrgb8888, strip);
-    player.draw(paper.paper());
-  });
-  return memory.picture();
-}
-
 // Draws the frames, and writes each.
 void write_frames(const Arguments& arguments,
                   Size size,
@@ -381,14 +361,8 @@ void play_reel(const Arguments& arguments, const Font& font, Size size) {
   });
 }
 
-void run_reel(Arguments& arguments, const CLI::App& app) {
-  for (const char* option : {"--text", "--stats", "--morph", "--print"}) {
-    if (app.count(option) != 0) {
-      throw std::runtime_error(std::string(option) +
-                               ": the reel plays scenes as they are; say it "
-                               "with one of them");
-    }
-  }
+// Ten scenes beside one another.
+void run_classic_reel(Arguments& arguments, const CLI::App& app) {
   const Size size =
       read_size(app.count("--size") == 0 ? kReelSize : arguments.size);
   if (size.width < kReelColumns * kLeastReelWidth ||
@@ -411,6 +385,32 @@ void run_reel(Arguments& arguments, const CLI::App& app) {
   const RomFile rom = load_font_file(
       arguments.font, conversion_of(app, arguments.request), text);
   play_reel(arguments, rom.font(), size);
+}
+
+void run_reel(Arguments& arguments, const CLI::App& app) {
+  const char* const changing =
+      arguments.classic ? "--text" : "--size";  // not of this reel
+  for (const char* option : {changing, "--stats", "--morph", "--print"}) {
+    if (app.count(option) != 0) {
+      throw std::runtime_error(std::string(option) +
+                               ": the reel plays scenes as they are; say it "
+                               "with one of them");
+    }
+  }
+  if (arguments.classic) {
+    run_classic_reel(arguments, app);
+    return;
+  }
+  if (app.count("--seconds") == 0) {
+    arguments.seconds = Reel::kFrames / double{scenes::kFramesPerSecond};
+  }
+  const std::string word = arguments.text.value_or(Reel::kWord);
+  const RomFile rom = load_font_file(
+      arguments.font, conversion_of(app, arguments.request), word);
+  const RomFile labels = load_font_file(kDefaultFont, Conversion(), "");
+  Reel reel(rom.font(), word, labels.font());
+  write_frames(arguments, {Reel::kWidth, Reel::kHeight},
+               [&reel](uint32_t number) { return reel.draw(number); });
 }
 
 void run(Arguments& arguments, const CLI::App& app) {
@@ -461,7 +461,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
     scenes += "\n" + std::string(kind.name) + ": " + std::string(kind.what) +
               " (--text: " + std::string(kind.takes) + ")";
   }
-  scenes += "\nreel: ten of them side by side, 800x160 px";
+  scenes +=
+      "\nreel: a word (--text) through eleven of them on a watch and on "
+      "e-paper, 656x300 px, 6 s; with --classic ten scenes side by side, "
+      "800x160 px";
   app.add_option("scene", arguments.scene, scenes)->required();
   app.add_option("--out", arguments.out,
                  "The animated picture; with --format frames a folder")
@@ -498,6 +501,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Draw the letter of figure15 as a print")
       ->check(CLI::IsMember(print_styles()))
       ->type_name("STYLE");
+  app.add_flag("--classic", arguments.classic,
+               "The reel of ten scenes beside one another");
   app.add_option("--rows", arguments.rows,
                  "Rows of a strip; the frames are the same for every number")
       ->check(CLI::Range(1, 2048))

@@ -304,6 +304,28 @@ const std::vector<SceneKind>& scene_kinds() {
   return kinds;
 }
 
+const SceneKind& find_scene(const std::string& name) {
+  for (const SceneKind& kind : scene_kinds()) {
+    if (kind.name == name) {
+      return kind;
+    }
+  }
+  std::string known;
+  for (const SceneKind& kind : scene_kinds()) {
+    known += " " + std::string(kind.name);
+  }
+  known += " reel";
+  throw std::runtime_error(name + ": no such scene; there are" + known);
+}
+
+Image draw_frame(Player& player, DisplayMemory& memory, int rows) {
+  memory.show(rows, [&](const Strip& strip) {
+    DisplayPaper paper(memory.display(), strip);
+    player.draw(paper.paper());
+  });
+  return memory.picture();
+}
+
 std::unique_ptr<Player> open_scene(const SceneKind& kind,
                                    const Font& font,
                                    std::string_view text,

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "display.hpp"
+#include "image.hpp"
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/simulation/print_draw.hpp"
@@ -71,6 +73,12 @@ struct SceneKind {
 
 /// All scenes.
 const std::vector<SceneKind>& scene_kinds();
+
+/// Throws std::runtime_error that lists all scenes, and `reel`.
+const SceneKind& find_scene(const std::string& name);
+
+/// Draws the player's frame in strips of `rows` rows, and shows it.
+Image draw_frame(Player& player, DisplayMemory& memory, int rows);
 
 /// A scene of a kind, open; figure15 may be printed. Throws std::runtime_error
 /// that says what the scene takes if the text, the font or the screen does not

@@ -36,6 +36,14 @@ local function dot(x, y)
   return {nib = pen.ellipse(weight * 1.1), points = {{x, y}}}
 end
 
+-- The right edge of a bowl is open: from above, round to the lower right.
+local function open_bowl(x, ...)
+  local middle = x_height / 2
+  return stroke(nib, join(..., curve{
+    {x, high, dir = 180}, {x - 150, middle, dir = -90}, {x + 10, low, dir = 0},
+    {x + 140, low + 70, dir = 40}}))
+end
+
 set_info{key = "unitsPerEm", value = 1000}
 set_info{key = "ascender", value = ascender}
 set_info{key = "descender", value = -200}
@@ -50,6 +58,19 @@ draw("m", 0x6D, 2 * side + 2 * width, stem(side, low, high), arch(side),
 draw("o", 0x6F, 2 * side + 300,
      stroke(nib, superellipse(side + 150, x_height / 2, 150,
                               x_height / 2 - low, superness)))
+local bowl = side + 120
+draw("c", 0x63, 2 * side + 220,
+     open_bowl(bowl, curve{{bowl + 130, high - 60, dir = 140},
+                           {bowl, high, dir = 180}}))
+draw("e", 0x65, 2 * side + 240,
+     open_bowl(bowl, lines{{bowl - 150, x_height / 2},
+                           {bowl + 150, x_height / 2}},
+               curve{{bowl + 150, x_height / 2, dir = 90},
+                     {bowl, high, dir = 180}}))
+draw("k", 0x6B, 2 * side + width, stem(side, low, ascender),
+     stroke(nib, lines{{side + width, high}, {side, x_height * 0.4},
+                       {side + width + 20, low}}))
+draw("I", 0x49, 2 * side, stem(side, low, ascender - 40))
 -- u is n rotated by 180 degrees.
 add_glyph{glyph = "u", unicodes = {0x75}, width = 2 * side + width}
 add_component{glyph = "u", base = "n",

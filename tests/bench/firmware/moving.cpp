@@ -277,7 +277,7 @@ void draw(Scene& scene, const Rect& part) {
 }
 
 template <typename Scene, int32_t width, int32_t height>
-bool measure_scene(const char* name) {
+bool measure_scene(const char* name, const char* text = Scene::kText) {
   constexpr uint32_t kEach = 7;  // frames are counted
   constexpr scenes::SceneNeeds needs = Scene::needs(width, height);
   static_assert(needs.grid <= sizeof grid &&
@@ -286,7 +286,7 @@ bool measure_scene(const char* name) {
                 "there is room");
   static Scene scene(
       {&font,
-       Scene::kText,
+       text,
        width,
        height,
        {{grid, needs.grid}, {particles, needs.particles}, {homes, needs.homes}},
@@ -330,6 +330,12 @@ bool measure_recipe(const char* name) {
          measure_scene<Scene, 128, 64>(name);
 }
 
+// Of the reel of inkcell-animate: its word, on its watch.
+template <typename Scene>
+bool measure_reel(const char* name, const char* text = "Inkcell") {
+  return measure_scene<Scene, 240, 240>(name, text);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -362,7 +368,18 @@ int main(int argc, char** argv) {
       measure_scene<scenes::ClockScene, 128, 64>("clock") &&
       measure_scene<scenes::ClockScene, 96, 16>("clock") &&
       measure_scene<scenes::ParticleScene, 320, 240>("particle_text") &&
-      measure_scene<scenes::ParticleScene, 128, 64>("particle_text");
+      measure_scene<scenes::ParticleScene, 128, 64>("particle_text") &&
+      measure_reel<scenes::OffsetScene>("figure14") &&
+      measure_reel<Letters<scenes::Letters::bounce>>("bounce") &&
+      measure_reel<scenes::ParticleScene>("particle_text", "Inkcell Inkcell") &&
+      measure_reel<scenes::PathScene>("path") &&
+      measure_reel<scenes::WipeScene>("wipe", "Inkcell Inkcell") &&
+      measure_reel<scenes::VortexScene>("figure15") &&
+      measure_reel<Letters<scenes::Letters::pulse>>("pulse") &&
+      measure_reel<scenes::PrintScene>("print") &&
+      measure_reel<Letters<scenes::Letters::splash>>("splash") &&
+      measure_reel<scenes::MeltScene>("melt", "Inkcell Inkcell") &&
+      measure_reel<scenes::BodyScene>("figure13");
   if (!is_measured) {
     return bench::fail("a scene does not open, or the RAM is too small");
   }
