@@ -31,7 +31,13 @@ mkdir -p docs/img $images
   --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \
   --glyph e --side 400 --points docs/img/hints.png >/dev/null
-"$tools/inkcell-animate" reel --fps 15 --format gif --out docs/img/reel.gif
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+# The reel's word in a face that the studio draws.
+"$tools/design/inkcell-design" script host_tools/design/samples/pen_face.lua \
+  --set weight=130 --set x_height=540 --out "$folder/Pen.ufo"
+"$tools/design/inkcell-design" export --project "$folder/Pen.ufo" --out "$folder/Pen.ttf"
+"$tools/inkcell-animate" reel --font "$folder/Pen.ttf" --out docs/img/reel.gif
 # Eight frames each of the recipes: scene, first frame [s], frames a second.
 for strip in count,2,3 clock,3.5,10 typewriter,1.7,5 wipe,0.9,6 bounce,0,10 \
   pulse,0,6 ticker,0,2 icons,0.3,6 melt,1,2; do
@@ -43,8 +49,6 @@ done
 "$tools/inkcell-animate" pulse --font "$fonts/inter-vf/Inter.var.ttf" \
   --axis wght=300..800 --size 96x48 --fps 6 --seconds 1.334 --format sheet \
   --out docs/img/recipe_masters.png
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cat >"$folder/editor.txt" <<END
 open $fonts/dejavu/DejaVuSans.ttf $folder/Mine.ufo 0x20-0x7E
 glyph a

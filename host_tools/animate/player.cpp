@@ -234,17 +234,16 @@ SceneKind kind_of(std::string_view name,
                   std::string_view what,
                   std::string_view takes,
                   std::string_view morphs = {}) {
-  return {
-      name,
-      what,
-      Scene::kText,
-      takes,
-      morphs,
-      [](const Font& font, std::string_view text, int width, int height,
-         std::optional<PrintStyle> print) -> std::unique_ptr<Player> {
-        return std::make_unique<ScenePlayer<Scene>>(font, text, width, height,
-                                                    print);
-      }};
+  return {name,
+          what,
+          Scene::kText,
+          takes,
+          morphs,
+          [](const Font& font, std::string_view text, int width, int height,
+             std::optional<PrintStyle> print) -> std::unique_ptr<Player> {
+            return std::make_unique<ScenePlayer<Scene>>(font, text, width,
+                                                        height, print);
+          }};
 }
 
 }  // namespace

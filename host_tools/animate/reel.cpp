@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <regex>
-#include <sstream>
+#include <stdexcept>
 
 #include "canvas.hpp"
 #include "rom_file.hpp"
@@ -22,18 +22,18 @@ struct Window {
   uint32_t still;  // the frame on the e-paper
 };
 constexpr std::array<Window, 12> kWindows = {
-    {{"figure14", "swell", 88, 14, 94},
+    {{"figure14", "swell", 84, 14, 92},
      {"bounce", "bounce", 8, 16, 16},
-     {"particles", "particles", 42, 16, 50},
+     {"particles", "particles", 42, 16, 48},
      {"path", "path", 84, 16, 92},
      {"wipe", "wipe", 32, 16, 40},
-     {"figure15", "vortex", 36, 16, 52},
+     {"figure15", "vortex", 44, 16, 56},
      {"pulse", "pulse", 8, 16, 16},
      {"print", "print", 46, 16, 60},
-     {"splash", "splash", 0, 16, 14},
-     {"melt", "melt", 28, 16, 38},
-     {"figure13", "soft letters", 160, 16, 168},
-     {"figure14", "swell", 82, 6, 94}}};
+     {"splash", "splash", 66, 16, 80},
+     {"melt", "melt", 32, 16, 40},
+     {"figure13", "soft letters", 80, 16, 72},
+     {"figure14", "swell", 78, 6, 92}}};
 
 constexpr int kRows = 16;  // of a strip
 // Round, in the picture.
@@ -92,19 +92,16 @@ Image devices() {
   fill_box(image, {0, 0, image.width, image.height}, kSharp, kGround);
   const Rect around = disc(132);
   fill_box(image, {around.x0 + 66, -20, around.x1 - 66, image.height + 20},
-           kSharp,
-           0x3a3f48);
+           kSharp, 0x3a3f48);
   fill_box(image, {around.x1 - 4, 134, around.x1 + 8, 166}, 4, 0x747b86);
   fill_box(image, around, 132, 0x8d949f);
   fill_box(image, disc(127), 127, 0x0b0c0f);
   const Rect paper = {kPaperX, kPaperY, kPaperX + kPaperWidth,
                       kPaperY + kPaperHeight};
-  fill_box(image,
-           {paper.x0 - 11, paper.y0 - 11, paper.x1 + 11, paper.y1 + 11}, 9,
-           0xb9b7b1);
-  fill_box(image,
-           {paper.x0 - 10, paper.y0 - 10, paper.x1 + 10, paper.y1 + 10}, 8,
-           0xfbfaf7);
+  fill_box(image, {paper.x0 - 11, paper.y0 - 11, paper.x1 + 11, paper.y1 + 11},
+           9, 0xb9b7b1);
+  fill_box(image, {paper.x0 - 10, paper.y0 - 10, paper.x1 + 10, paper.y1 + 10},
+           8, 0xfbfaf7);
   return image;
 }
 
@@ -141,8 +138,7 @@ std::array<std::string, 3> figures_of(const std::string& document,
   };
   return {found.str(3) + " of RAM",
           thousands(found.str(1)) + " instructions a frame",
-          "at most " + thousands(found.str(2)) +
-              ", on a Cortex-M4 at 240 x 240"};
+          "at worst " + thousands(found.str(2)) + " (Cortex-M4)"};
 }
 
 // Dark on light, four greys.
@@ -196,8 +192,7 @@ Image Reel::draw(uint32_t frame) {
   const bool is_chord = kWindows[index].scene == "figure13";
   const Rect part = is_chord ? kChord : Rect{0, 0, kWatch, kWatch};
   shown.player->set_frame(kWindows[index].from + frame);
-  DisplayMemory memory(Display::xrgb8888, part.x1 - part.x0,
-                       part.y1 - part.y0);
+  DisplayMemory memory(Display::xrgb8888, part.x1 - part.x0, part.y1 - part.y0);
   const Image scene = draw_frame(*shown.player, memory, kRows);
   const uint8_t* ground = scene.at(0, 0);
   Image screen(kWatch, kWatch, 3);

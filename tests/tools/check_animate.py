@@ -362,17 +362,61 @@ class Animate(FolderCase):
             self.assertEqual("takes a line that fits" in said, code == 1)
 
     def test_reel(self):
+        """Six seconds of a word on a watch and on e-paper."""
         out = self.path / "reel.gif"
-        run("animate", "reel", "--format", "gif", "--fps", 5, "--seconds", 2,
-            "--out", out)
+        run("animate", "reel", "--font", self.font, "--out", out)
+        self.assertLess(out.stat().st_size, 1000000)
+        run("animate", "reel", "--font", self.font, "--format", "apng",
+            "--fps", 15, "--out", out)
+        frames = frames_of(out.read_bytes())
+        self.assertEqual(len(frames), 6 * 15)
+
+        def changes(i):
+            pairs = zip(frames[i - 1], frames[i])
+            return sum(abs(a - b) for a, b in pairs)
+        # The first frame follows the last: the scene goes on.
+        self.assertLessEqual(changes(0), max(changes(-1), changes(1)))
+        self.assertGreater(changes(0), 0)
+        # It moves within half a second, and eleven effects are on the e-paper.
+        self.assertGreater(max(map(changes, range(1, 7))), 1.5 * changes(0))
+        paper = [b"".join(frame[3 * (656 * y + 326):3 * (656 * y + 622)]
+                          for y in range(36, 164)) for frame in frames]
+        cuts = [i for i in range(90) if paper[i] != paper[i - 1]]
+        self.assertEqual(len(cuts), 11)
+        self.assertEqual(len(set(paper)), 11)
+        for cut, following in zip(cuts, cuts[1:]):
+            self.assertTrue(0.5 <= (following - cut) / 15 <= 0.8, cuts)
+        # What is shown of the next loop is the same.
+        run("animate", "reel", "--font", self.font, "--format", "frames",
+            "--from", 7, "--seconds", 0, "--out", out.with_suffix(""))
+        again, = out.with_suffix("").glob("*.png")
+        self.assertEqual(pixels_of(again), frames[15])
+        self.refused("--size: the reel plays", "animate", "reel", "--size",
+                     "800x160", "--out", out)
+        self.refused("figure13 takes up to 8 letters", "animate", "reel",
+                     "--text", "nineBodys", "--out", out)
+
+    def test_classic_reel(self):
+        out = self.path / "reel.gif"
+        run("animate", "reel", "--classic", "--format", "gif", "--fps", 5,
+            "--seconds", 2, "--out", out)
         self.assertEqual(out.read_bytes()[6:10],
                          struct.pack("<HH", 800, 160))
         # Each tile has a ground of its own, which the palette keeps.
         gif = out.read_bytes()
         palette = gif[13:13 + 3 * (2 << (gif[10] & 7))]
-        run("animate", "reel", "--format", "frames", "--fps", 5, "--seconds",
-            0.2, "--out", out.with_suffix(""))
-        pixels = pixels_of(sorted(out.with_suffix("").glob("*.png"))[0])
+        run("animate", "reel", "--classic", "--format", "frames", "--from", 1,
+            "--seconds", 0, "--out", out.with_suffix(""))
+        pixels = pixels_of(out.with_suffix("") / "00030.png")
+        # Its tiles are the scenes.
+        for tile, scene in ((1, "count"), (5, "wipe"), (9, "splash")):
+            alone = self.path / scene
+            run("animate", scene, "--size", "160x80", "--format", "frames",
+                "--from", 1, "--seconds", 0, "--out", alone)
+            start = tile // 5 * 80 * 800 + tile % 5 * 160
+            self.assertEqual(pixels_of(alone / "00030.png"), b"".join(
+                pixels[3 * i:3 * (i + 160)]
+                for i in range(start, start + 80 * 800, 800)), scene)
         found = collections.Counter(zip(*[iter(pixels)] * 3))
         grounds = [ground for ground, count in found.items()
                    if count > 800 * 160 // 50]
@@ -382,9 +426,9 @@ class Animate(FolderCase):
                       for colour in zip(*[iter(palette)] * 3))
             self.assertLessEqual(off, 4, ground)  # of colours of 5 bits
         self.refused("takes 320x64 to 2048x2048 px", "animate", "reel",
-                     "--size", "319x64", "--out", out)
-        self.refused("--text: the reel plays", "animate", "reel", "--text",
-                     "x", "--out", out)
+                     "--classic", "--size", "319x64", "--out", out)
+        self.refused("--text: the reel plays", "animate", "reel", "--classic",
+                     "--text", "x", "--out", out)
 
     def test_strips_make_no_difference(self):
         for scene in SCENES:
