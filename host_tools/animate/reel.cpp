@@ -30,7 +30,7 @@ constexpr std::array<Window, 12> kWindows = {
      {"figure15", "vortex", 44, 16, 56},
      {"pulse", "pulse", 8, 16, 16},
      {"print", "print", 46, 16, 60},
-     {"splash", "splash", 66, 16, 80},
+     {"splash", "splash", 68, 16, 80},
      {"melt", "melt", 32, 16, 40},
      {"figure13", "soft letters", 80, 16, 72},
      {"figure14", "swell", 78, 6, 92}}};
