@@ -37,7 +37,7 @@ constexpr std::array<Window, 12> kWindows = {
 
 constexpr int kRows = 16;  // of a strip
 // Round, in the picture.
-constexpr int kWatch = 240;
+constexpr int kWatch = Reel::kWatch;
 constexpr int kWatchX = 36;
 constexpr int kWatchY = 30;
 constexpr int kPaperWidth = 296;
@@ -47,9 +47,7 @@ constexpr int kPaperY = 36;
 
 constexpr uint32_t kGround = 0xe4e2dd;
 constexpr uint32_t kInk = 0x23262c;
-
-// The bodies' screen: their floor is a chord of the watch.
-constexpr Rect kChord = {45, 0, 195, 212};
+constexpr uint32_t kFloor = 0x39404c;
 
 constexpr double kSharp = 0.5;
 
@@ -59,6 +57,11 @@ void lay_over(Image& image, int x, int y, uint32_t rgb, double part) {
     const double ink = rgb >> (16 - 8 * i) & 255;
     to[i] = static_cast<uint8_t>(std::lround(to[i] + (ink - to[i]) * part));
   }
+}
+
+uint32_t rgb_at(const Image& image, int x, int y) {
+  const uint8_t* rgb = image.at(x, y);
+  return static_cast<uint32_t>(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
 }
 
 // A box with round corners; a disc if the radius is half of its side, and a
@@ -169,10 +172,12 @@ Reel::Reel(const Font& font, const std::string& word, const Font& labels) {
     shown.around = bare;
     paste(on_paper(draw_frame(*still, memory, kRows)), kPaperX, kPaperY,
           shown.around);
-    const bool is_chord = window.scene == "figure13";
-    shown.player = open_scene(kind, font, shown.text,
-                              is_chord ? kChord.x1 - kChord.x0 : kWatch,
-                              is_chord ? kChord.y1 : kWatch);
+    if (window.scene == "figure13") {
+      shown.screen = {45, 0, 195, 212};  // the floor is a chord of the watch
+    }
+    shown.player =
+        open_scene(kind, font, shown.text, shown.screen.x1 - shown.screen.x0,
+                   shown.screen.y1);
     write_label(labels, std::string(window.title), 28, 210, kInk, shown.around);
     int baseline = 238;
     for (const std::string& line : figures_of(document, window.scene)) {
@@ -189,18 +194,13 @@ Image Reel::draw(uint32_t frame) {
     frame -= kWindows[index++].count;
   }
   const Shown& shown = shown_[index];
-  const bool is_chord = kWindows[index].scene == "figure13";
-  const Rect part = is_chord ? kChord : Rect{0, 0, kWatch, kWatch};
+  const Rect part = shown.screen;
   shown.player->set_frame(kWindows[index].from + frame);
   DisplayMemory memory(Display::xrgb8888, part.x1 - part.x0, part.y1 - part.y0);
   const Image scene = draw_frame(*shown.player, memory, kRows);
-  const uint8_t* ground = scene.at(0, 0);
   Image screen(kWatch, kWatch, 3);
-  fill_box(screen, {0, 0, kWatch, kWatch}, kSharp,
-           static_cast<uint32_t>(ground[0] << 16 | ground[1] << 8 | ground[2]));
-  if (is_chord) {
-    fill_box(screen, {0, part.y1, kWatch, kWatch}, kSharp, 0x39404c);
-  }
+  fill_box(screen, {0, 0, kWatch, kWatch}, kSharp, rgb_at(scene, 0, 0));
+  fill_box(screen, {0, part.y1, kWatch, kWatch}, kSharp, kFloor);
   paste(scene, part.x0, part.y0, screen);
   Image image = shown.around;
   for (int y = 0; y < kWatch; ++y) {
@@ -208,9 +208,7 @@ Image Reel::draw(uint32_t frame) {
       const double inside =
           kWatch / 2.0 + 0.5 -
           std::hypot(x + 0.5 - kWatch / 2.0, y + 0.5 - kWatch / 2.0);
-      const uint8_t* from = screen.at(x, y);
-      lay_over(image, kWatchX + x, kWatchY + y,
-               static_cast<uint32_t>(from[0] << 16 | from[1] << 8 | from[2]),
+      lay_over(image, kWatchX + x, kWatchY + y, rgb_at(screen, x, y),
                std::clamp(inside, 0.0, 1.0));
     }
   }

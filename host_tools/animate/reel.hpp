@@ -15,6 +15,7 @@ class Reel {
  public:
   static constexpr int kWidth = 656;  // [px]
   static constexpr int kHeight = 300;
+  static constexpr int kWatch = 240;
   static constexpr uint32_t kFrames = 180;
   static constexpr const char* kWord = "Inkcell";
 
@@ -29,6 +30,7 @@ class Reel {
   /// A scene, and what stands still while it plays.
   struct Shown {
     std::string text;
+    Rect screen = {0, 0, kWatch, kWatch};  // on the watch
     std::unique_ptr<Player> player;
     Image around;
   };
