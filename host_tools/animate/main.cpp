@@ -181,6 +181,7 @@ void compare(const Image& before,
 struct Output {
   std::function<void(const Image& frame, uint32_t number)> add;
   std::function<void()> finish = [] {};
+  std::function<void()> begin_part = [] {};  // the next frame is of another
 };
 
 // A frame's time, black on white. [s]
@@ -241,7 +242,7 @@ Output open_output(const Arguments& arguments, Size size, uint32_t frames) {
     auto gif = std::make_shared<GifWriter>(
         arguments.out, size.width, size.height, arguments.frames_per_second);
     return {[gif](const Image& frame, uint32_t) { gif->add(frame); },
-            [gif] { gif->finish(); }};
+            [gif] { gif->finish(); }, [gif] { gif->begin_part(); }};
   }
   auto apng =
       std::make_shared<ApngWriter>(arguments.out, size.width, size.height,
@@ -290,16 +291,21 @@ void write_stats(const Arguments& arguments,
   }
 }
 
-// Draws the frames, and writes each.
-void write_frames(const Arguments& arguments,
-                  Size size,
-                  const std::function<Image(uint32_t number)>& draw) {
+// Draws the frames, and writes each. Cuts are where parts of frames differ.
+void write_frames(
+    const Arguments& arguments,
+    Size size,
+    const std::function<Image(uint32_t number)>& draw,
+    size_t (*part_of)(uint32_t number) = [](uint32_t) { return size_t{0}; }) {
   const Frames frames = frames_of(arguments);
   const Output output = open_output(arguments, size, frames.count);
   Progress progress(false, "frames");
   for (uint32_t i = 0; i < frames.count; ++i) {
     const uint32_t number = frames.first + i * frames.step;
     const Image frame = draw(number);
+    if (i > 0 && part_of(number) != part_of(number - frames.step)) {
+      output.begin_part();
+    }
     output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
                number);
     progress.update(i + 1, frames.count);
@@ -409,8 +415,9 @@ void run_reel(Arguments& arguments, const CLI::App& app) {
       arguments.font, conversion_of(app, arguments.request), word);
   const RomFile labels = load_font_file(kDefaultFont, Conversion(), "");
   Reel reel(rom.font(), word, labels.font());
-  write_frames(arguments, {Reel::kWidth, Reel::kHeight},
-               [&reel](uint32_t number) { return reel.draw(number); });
+  write_frames(
+      arguments, {Reel::kWidth, Reel::kHeight},
+      [&reel](uint32_t number) { return reel.draw(number); }, Reel::window_of);
 }
 
 void run(Arguments& arguments, const CLI::App& app) {

@@ -187,11 +187,20 @@ Reel::Reel(const Font& font, const std::string& word, const Font& labels) {
   }
 }
 
-Image Reel::draw(uint32_t frame) {
+size_t Reel::window_of(uint32_t frame) {
   frame %= kFrames;
   size_t index = 0;
   while (frame >= kWindows[index].count) {
     frame -= kWindows[index++].count;
+  }
+  return index;
+}
+
+Image Reel::draw(uint32_t frame) {
+  const size_t index = window_of(frame);
+  frame %= kFrames;
+  for (size_t i = 0; i < index; ++i) {
+    frame -= kWindows[i].count;
   }
   const Shown& shown = shown_[index];
   const Rect part = shown.screen;

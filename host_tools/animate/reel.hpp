@@ -26,6 +26,9 @@ class Reel {
 
   Image draw(uint32_t frame);
 
+  /// Which scene it shows, from 0.
+  static size_t window_of(uint32_t frame);
+
  private:
   /// A scene, and what stands still while it plays.
   struct Shown {

@@ -88,32 +88,40 @@ GifWriter::GifWriter(const std::filesystem::path& file,
     : file_(file),
       out_(file, std::ios::binary),
       frames_per_second_(frames_per_second),
-      before_(width, height, 3),
-      cells_(kCells) {
+      before_(width, height, 3) {
   if (!out_) {
     refuse(std::strerror(errno));
+  }
+  begin_part();
+}
+
+void GifWriter::begin_part() {
+  if (parts_.empty() || parts_.back().first != frames_.size()) {
+    parts_.push_back({frames_.size(), std::vector<Cell>(kCells), {}});
   }
 }
 
 // Cells that cover much of the first frame, the largest first.
-void GifWriter::find_grounds() {
-  for (size_t i = 0; i < kCells; ++i) {
-    if (cells_[i].count * kGroundPart >= before_.pixels.size() / 3) {
-      grounds_.push_back(cells_[i]);
+void GifWriter::find_grounds(Part& part) const {
+  for (const Cell& cell : part.cells) {
+    if (cell.count * kGroundPart >= before_.pixels.size() / 3) {
+      part.grounds.push_back(cell);
     }
   }
-  std::sort(grounds_.begin(), grounds_.end(),
+  std::sort(part.grounds.begin(), part.grounds.end(),
             [](const Cell& a, const Cell& b) { return a.count > b.count; });
 }
 
 void GifWriter::add(const Image& frame) {
   const size_t count = frame.pixels.size() / 3;
+  Part& part = parts_.back();
+  const bool is_first = part.first == frames_.size();
   std::vector<uint16_t> cells(count);
   for (size_t i = 0; i < count; ++i) {
     const uint8_t* rgb = &frame.pixels[3 * i];
     cells[i] = cell_of(rgb);
-    if (frames_.empty() || std::memcmp(rgb, &before_.pixels[3 * i], 3) != 0) {
-      Cell& cell = cells_[cells[i]];
+    if (is_first || std::memcmp(rgb, &before_.pixels[3 * i], 3) != 0) {
+      Cell& cell = part.cells[cells[i]];
       ++cell.count;
       for (size_t k = 0; k < 3; ++k) {
         cell.sum.at(k) += rgb[k];
@@ -121,8 +129,8 @@ void GifWriter::add(const Image& frame) {
     }
   }
   before_ = frame;
-  if (frames_.empty()) {
-    find_grounds();
+  if (is_first) {
+    find_grounds(part);
   }
   uLongf bytes = compressBound(2 * count);
   std::vector<uint8_t> packed(bytes);
@@ -139,13 +147,13 @@ void GifWriter::add(const Image& frame) {
 // Grounds keep their colours, in up to half of the palette. For the others
 // giflib cuts the space of colours by medians; each is then the mean of the
 // pixels that are nearest to it.
-GifWriter::Palette GifWriter::choose_colours(int most) const {
+GifWriter::Palette GifWriter::choose_colours(const Part& part, int most) {
   uint64_t total = 0;
-  for (const Cell& cell : cells_) {
+  for (const Cell& cell : part.cells) {
     total += cell.count;
   }
   std::array<std::vector<GifByteType>, 3> planes;
-  for (const Cell& cell : cells_) {
+  for (const Cell& cell : part.cells) {
     if (cell.count != 0) {
       const size_t weight = 1 + cell.count * kSamples / total;
       for (size_t k = 0; k < 3; ++k) {
@@ -156,9 +164,10 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
     }
   }
   Palette palette;
-  palette.grounds = std::min(grounds_.size(), static_cast<size_t>(most) / 2);
+  palette.grounds =
+      std::min(part.grounds.size(), static_cast<size_t>(most) / 2);
   for (size_t n = 0; n < palette.grounds; ++n) {
-    palette.colours.at(n) = Palette::mean_of(grounds_[n]);
+    palette.colours.at(n) = Palette::mean_of(part.grounds[n]);
   }
   const int grounds = static_cast<int>(palette.grounds);
   palette.count = most - grounds;
@@ -173,7 +182,7 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
   std::array<Cell, 256> sums{};
   palette.index.resize(kCells);
   for (size_t i = 0; i < kCells; ++i) {
-    const Cell& cell = cells_[i];
+    const Cell& cell = part.cells[i];
     if (cell.count == 0) {
       continue;
     }
@@ -204,7 +213,7 @@ GifWriter::Palette GifWriter::choose_colours(int most) const {
 }
 
 // Takes one frame of `step`.
-std::vector<uint8_t> GifWriter::encode(const Palette& palette,
+std::vector<uint8_t> GifWriter::encode(const std::vector<Palette>& palettes,
                                        size_t step) const {
   std::vector<uint8_t> bytes;
   int error = 0;
@@ -219,11 +228,14 @@ std::vector<uint8_t> GifWriter::encode(const Palette& palette,
   };
   const int width = before_.width;
   const int height = before_.height;
-  const std::unique_ptr<ColorMapObject, FreeMap> map(
-      GifMakeMapObject(palette.map_size(), palette.colours.data()));
+  std::vector<std::unique_ptr<ColorMapObject, FreeMap>> maps;
+  for (const Palette& palette : palettes) {
+    maps.emplace_back(
+        GifMakeMapObject(palette.map_size(), palette.colours.data()));
+  }
   EGifSetGifVersion(gif.get(), true);
   constexpr std::array<unsigned char, 3> kForEver = {1, 0, 0};
-  require(EGifPutScreenDesc(gif.get(), width, height, 8, 0, map.get()));
+  require(EGifPutScreenDesc(gif.get(), width, height, 8, 0, maps[0].get()));
   require(EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));
   require(EGifPutExtensionBlock(gif.get(), 11, "NETSCAPE2.0"));
   require(EGifPutExtensionBlock(gif.get(), kForEver.size(), kForEver.data()));
@@ -231,12 +243,18 @@ std::vector<uint8_t> GifWriter::encode(const Palette& palette,
   std::vector<uint16_t> cells(before_.pixels.size() / 3);
   Image before;
   Image now(width, height);
+  size_t index = 0;  // of the part
   for (size_t number = 0; number < frames_.size(); number += step) {
     uLongf size = 2 * cells.size();
     if (uncompress(reinterpret_cast<Bytef*>(cells.data()), &size,
                    frames_[number].data(), frames_[number].size()) != Z_OK) {
       throw std::runtime_error("zlib could not unpack a frame");
     }
+    while (index + 1 < parts_.size() && parts_[index + 1].first <= number) {
+      ++index;
+      before = {};
+    }
+    const Palette& palette = palettes[index];
     std::transform(cells.begin(), cells.end(), now.pixels.begin(),
                    [&](uint16_t cell) { return palette.index[cell]; });
     const bool is_first = before.pixels.empty();
@@ -257,7 +275,8 @@ std::vector<uint8_t> GifWriter::encode(const Palette& palette,
     require(EGifPutExtension(gif.get(), GRAPHICS_EXT_FUNC_CODE,
                              static_cast<int>(block_size), block.data()));
     require(EGifPutImageDesc(gif.get(), part.x0, part.y0, part.x1 - part.x0,
-                             part.y1 - part.y0, false, nullptr));
+                             part.y1 - part.y0, false,
+                             index == 0 ? nullptr : maps[index].get()));
     std::vector<GifByteType> row(static_cast<size_t>(part.x1 - part.x0));
     for (int y = part.y0; y < part.y1; ++y) {
       for (int x = part.x0; x < part.x1; ++x) {
@@ -282,7 +301,11 @@ void GifWriter::finish() {
   const size_t most = std::max(kMostBytes, kMostBytes * seconds / 10);
   std::vector<uint8_t> bytes;
   for (const Effort& effort : kEfforts) {
-    bytes = encode(choose_colours(effort.colours), effort.step);
+    std::vector<Palette> palettes;
+    for (const Part& part : parts_) {
+      palettes.push_back(choose_colours(part, effort.colours));
+    }
+    bytes = encode(palettes, effort.step);
     if (bytes.size() < most) {
       break;
     }

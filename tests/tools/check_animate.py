@@ -44,6 +44,29 @@ def frames_of(apng):
     return frames
 
 
+def palettes_of(gif):
+    """The palette of each part of a GIF, as colours."""
+    def palette(flags, at):
+        size = 2 << (flags & 7)
+        return list(zip(*[iter(gif[at:at + 3 * size])] * 3))
+    found = [palette(gif[10], 13)]
+    at = 13 + 3 * len(found[0])
+    while gif[at] != 0x3B:
+        if gif[at] == 0x2C:  # a frame
+            if gif[at + 9] & 128:
+                part = palette(gif[at + 9], at + 10)
+                if part != found[-1]:
+                    found.append(part)
+                at += 3 * len(part)
+            at += 11
+        else:
+            at += 2
+        while gif[at]:
+            at += gif[at] + 1
+        at += 1
+    return found
+
+
 def pieces_of(frame, width):
     """How many pieces of 6 px or more the light pixels form."""
     left = {i for i in range(len(frame) // 3) if frame[3 * i] >= 128}
@@ -366,6 +389,8 @@ class Animate(FolderCase):
         out = self.path / "reel.gif"
         run("animate", "reel", "--font", self.font, "--out", out)
         self.assertLess(out.stat().st_size, 1000000)
+        palettes = palettes_of(out.read_bytes())
+        self.assertEqual(len(palettes), 12)
         run("animate", "reel", "--font", self.font, "--format", "apng",
             "--fps", 15, "--out", out)
         frames = frames_of(out.read_bytes())
@@ -386,6 +411,13 @@ class Animate(FolderCase):
         self.assertEqual(len(set(paper)), 11)
         for cut, following in zip(cuts, cuts[1:]):
             self.assertTrue(0.5 <= (following - cut) / 15 <= 0.8, cuts)
+        # Colours of each effect are in the palette of its part.
+        for cut, palette in zip(cuts, palettes[1:]):
+            pixels = collections.Counter(zip(*[iter(frames[cut + 1])] * 3))
+            for colour, _ in pixels.most_common(8):
+                off = min(max(abs(a - b) for a, b in zip(colour, each))
+                          for each in palette)
+                self.assertLessEqual(off, 4, (cut, colour))
         # What is shown of the next loop is the same.
         run("animate", "reel", "--font", self.font, "--format", "frames",
             "--from", 7, "--seconds", 0, "--out", self.path / "again")
