@@ -36,12 +36,11 @@ local function dot(x, y)
   return {nib = pen.ellipse(weight * 1.1), points = {{x, y}}}
 end
 
--- The right edge of a bowl is open: from above, round to the lower right.
-local function open_bowl(x, ...)
-  local middle = x_height / 2
-  return stroke(nib, join(..., curve{
-    {x, high, dir = 180}, {x - 150, middle, dir = -90}, {x + 10, low, dir = 0},
-    {x + 140, low + 70, dir = 40}}))
+-- A bowl that is open at the right: a path to its top, round to the lower right.
+local function open_bowl(x, to_top)
+  return stroke(nib, join(to_top, curve{
+    {x, high, dir = 180}, {x - 150, x_height / 2, dir = -90},
+    {x + 10, low, dir = 0}, {x + 140, low + 70, dir = 40}}))
 end
 
 set_info{key = "unitsPerEm", value = 1000}
@@ -63,10 +62,10 @@ draw("c", 0x63, 2 * side + 220,
      open_bowl(bowl, curve{{bowl + 130, high - 60, dir = 140},
                            {bowl, high, dir = 180}}))
 draw("e", 0x65, 2 * side + 240,
-     open_bowl(bowl, lines{{bowl - 150, x_height / 2},
-                           {bowl + 150, x_height / 2}},
-               curve{{bowl + 150, x_height / 2, dir = 90},
-                     {bowl, high, dir = 180}}))
+     open_bowl(bowl, join(lines{{bowl - 150, x_height / 2},
+                                {bowl + 130, x_height / 2}},
+                          curve{{bowl + 130, x_height / 2, dir = 90},
+                                {bowl, high, dir = 180}})))
 draw("k", 0x6B, 2 * side + width, stem(side, low, ascender),
      stroke(nib, lines{{side + width, high}, {side, x_height * 0.4},
                        {side + width + 20, low}}))
