@@ -431,6 +431,9 @@ void run(Arguments& arguments, const CLI::App& app) {
     return;
   }
   const SceneKind& kind = find_scene(arguments.scene);
+  if (arguments.classic) {
+    throw std::runtime_error("--classic: is of the reel");
+  }
   std::optional<simulation::PrintStyle> print;
   if (!arguments.print.empty()) {
     if (arguments.scene != "figure15") {

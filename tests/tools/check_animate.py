@@ -456,6 +456,8 @@ class Animate(FolderCase):
             self.assertLessEqual(off, 4, ground)  # of colours of 5 bits
         self.refused("takes 320x64 to 2048x2048 px", "animate", "reel",
                      "--classic", "--size", "319x64", "--out", out)
+        self.refused("--classic: is of the reel", "animate", "wipe",
+                     "--classic", "--out", out)
         self.refused("--text: the reel plays", "animate", "reel", "--classic",
                      "--text", "x", "--out", out)
 
