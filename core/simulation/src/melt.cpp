@@ -38,7 +38,8 @@ void melt(DistanceGrid& grid,
   const int32_t added = -cutoff_for(grid, how.area, scratch).raw / 64;
   // As deep as one of this area, from side to side.
   const int32_t wide = max(grid.width() * 16 - beside, 16);  // half of it
-  const int32_t depth = max(how.area * 8 / wide + 32, kLeastDepth);
+  const int32_t deep = how.area / wide * 8 + how.area % wide * 8 / wide;
+  const int32_t depth = max(deep + 32, kLeastDepth);
   for (int32_t x = 0; x < grid.width(); ++x) {
     const int32_t speed = speed_q8 * speed_of(how.seed, x);
     const int32_t side = 32 * min(x, grid.width() - 1 - x) + 16 - beside;
