@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
-    "cc314fc293aa22c4c9c0fade02f9bd76e717561ca07faf590466c8d8ed63929a";
+    "1f85ed7f62c56ee8348381d0d2f8aa4fffcddbe60cc23761684fcf5528d9ef4c";
 inline constexpr const char* kFigure14Hash =
     "512350642c8b79098fb6532a757973f6f3cf60716ede71cfc8a6ad9fb2b1941b";
 inline constexpr const char* kFigure15Hash =

@@ -1,7 +1,9 @@
-// Letters fall one after the other; the floor kicks them; then it opens.
+// Letters fall one after the other; the floor kicks them; then it opens, and
+// closes below the last one.
 #include "body_scene.hpp"
 
 #include "inkcell/motion/numbers.hpp"
+#include "inkcell/motion/timeline.hpp"
 #include "inkcell/simulation/body_draw.hpp"
 
 namespace inkcell::scenes {
@@ -19,8 +21,25 @@ constexpr int32_t kStepsPerFrame = 2;
 // Frames.
 constexpr uint32_t kFallEach = 10;
 constexpr uint32_t kKicks = 165;
-constexpr uint32_t kOpens =
-    287;  // the last letter has left when the first falls
+constexpr uint32_t kOpens = 272;
+constexpr uint32_t kCloses = 292;  // the last letter has left
+constexpr uint32_t kFloorInk = 0x2c3350;
+
+// The part of the floor that is open. [of 8]
+int32_t gap_at(uint32_t phase) noexcept {
+  const auto at = static_cast<int32_t>(phase);
+  constexpr auto kOpen = static_cast<int32_t>(kOpens);
+  constexpr auto kClose = static_cast<int32_t>(kCloses);
+  constexpr auto kEnd = static_cast<int32_t>(kLoopFrames);
+  return lerp(0, 8, fraction(kOpen - 1, kOpen + 3, at)) -
+         lerp(0, 8, fraction(kClose, kEnd, at));
+}
+
+// How far the kick lifts the floor. [of 8]
+int32_t lift_at(uint32_t phase) noexcept {
+  const uint32_t since = phase - kKicks;
+  return since < 8 ? 8 - static_cast<int32_t>(since) : 0;
+}
 
 using Touches = BodyTouch[Body::kMostTouches];
 
@@ -136,7 +155,7 @@ void BodyScene::restart() noexcept {
 BodyRules BodyScene::rules() const noexcept {
   const uint32_t phase = frame_ % kLoopFrames;
   BodyRules rules;
-  const int32_t floor = phase >= kOpens ? 3 * height_ : height_;
+  const int32_t floor = phase >= kOpens ? 3 * height_ : floor_top();
   rules.walls = {0, -height_, width_, floor};
   rules.gravity.raw = 16000 * height_ / 240;
   rules.bounce_q8 = 60;
@@ -216,6 +235,7 @@ void BodyScene::step() noexcept {
 }
 
 void BodyScene::set_frame(uint32_t frame) noexcept {
+  frame_before_ = frame_;
   for (int32_t i = 0; i < count_; ++i) {
     before_[i] = bodies_[i];
   }
@@ -254,6 +274,11 @@ Rect BodyScene::swept_box(int32_t index) const noexcept {
 
 void BodyScene::draw(const Paper& paper) noexcept {
   paper.fill(kBackground);
+  const uint32_t phase = frame_ % kLoopFrames;
+  const int32_t half = width_ * (8 - gap_at(phase)) / 16;
+  const int32_t top = floor_top() - lift_at(phase) * height_ / 320;
+  paper.fill(kFloorInk, {0, top, half, height_});
+  paper.fill(kFloorInk, {width_ - half, top, width_, height_});
   const BodyRules now = rules();
   for (int32_t i = 0; i < count_; ++i) {
     draw_body(bodies(), static_cast<size_t>(i), now, kFilterMotion,
@@ -268,21 +293,24 @@ void BodyScene::add_changes(DirtyRects& dirty) const noexcept {
       dirty.add(swept_box(i), screen());
     }
   }
+  const uint32_t then = frame_before_ % kLoopFrames;
+  const uint32_t now = frame_ % kLoopFrames;
+  if (gap_at(then) != gap_at(now) || lift_at(then) != lift_at(now)) {
+    dirty.add({0, floor_top() - height_ / 40, width_, height_}, screen());
+  }
 }
 
 uint32_t BodyScene::next_due() const noexcept {
   const uint32_t phase = frame_ % kLoopFrames;
-  if (!are_asleep(bodies())) {
+  if (!are_asleep(bodies()) || phase >= kOpens) {
     return frame_ + 1;
   }
   const uint32_t last_fall = kFallEach * static_cast<uint32_t>(count_ - 1);
-  uint32_t next = kLoopFrames;
+  uint32_t next = kOpens;
   if (phase < last_fall) {
     next = (phase / kFallEach + 1) * kFallEach;
   } else if (phase < kKicks) {
     next = kKicks;
-  } else if (phase < kOpens) {
-    next = kOpens;
   }
   return frame_ + next - phase;
 }

@@ -58,6 +58,8 @@ class BodyScene : public SceneBase {
   // Contacts: each letter touches two others, and walls.
   static constexpr size_t kContacts = simulation::kContactsOfPair * 20;
 
+  // The floor is seen: a part of the height.
+  int32_t floor_top() const noexcept { return height_ - height_ / 16; }
   Status add_shape(uint16_t glyph,
                    const Rect& box,
                    Span<int8_t>& memory) noexcept;
@@ -79,6 +81,7 @@ class BodyScene : public SceneBase {
   simulation::BodyContact contacts_[kContacts];
   simulation::Body before_[kMostLetters];  // as they were drawn before
   bool has_moved_[kMostLetters] = {};
+  uint32_t frame_before_ = 0;
 };
 
 }  // namespace inkcell::scenes
