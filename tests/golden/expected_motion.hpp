@@ -22,11 +22,11 @@ inline constexpr const char* kPrintHash =
 inline constexpr const char* kCountHash =
     "5bde90e2845b62aadeb96ef0af6fdfba7676a9e2d22346779547485356a9aefe";
 inline constexpr const char* kTickerHash =
-    "7df0d8825b834b6faf46cefdb9af60d5a2ae3fcd20877b4ad20522cb5a98d281";
+    "d80947ae405686e400062a1ec07f8a91eec4e81362b1ac40afa83d7cff7d5665";
 inline constexpr const char* kTypewriterHash =
     "4cde5008fd3dda76171123246b2bb43e3155c55407bdbcd0207c45d9b2eeaf02";
 inline constexpr const char* kWipeHash =
-    "3ca14e466c28fee0a00ddedd646d1e39b703ee64222b07d2e9cb6e384952b8ce";
+    "bd1a786212124e3242505d1a079e2511971d63b5ecd18d68001a437281277e98";
 inline constexpr const char* kBounceHash =
     "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
 inline constexpr const char* kSplashHash =

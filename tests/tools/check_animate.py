@@ -235,7 +235,7 @@ class Animate(FolderCase):
 
     def test_words_of_a_wipe_do_not_overlap(self):
         """No pixel has light of both inks, beyond an edge of 2 px."""
-        out, _ = self.play("wipe", "w.png", "--from", 1.4, size="320x240",
+        out, _ = self.play("wipe", "w.png", "--from", 16 / 30, size="320x240",
                            frames=1)
         frame, = frames_of(out.read_bytes())
         pixels = [frame[i:i + 3] for i in range(0, len(frame), 3)]
@@ -246,7 +246,7 @@ class Animate(FolderCase):
     def test_a_wipe_leaves_no_sliver(self):
         """The old word is seen with strong ink, or not at all."""
         for size in ("320x240", "240x120"):
-            out, _ = self.play("wipe", "w.png", "--from", 0.9, size=size,
+            out, _ = self.play("wipe", "w.png", size=size,
                                frames=40)
             warmth = [max(frame[i] - frame[i + 2] for i in
                           range(0, len(frame), 3))

@@ -30,10 +30,11 @@ class ChargeScene : public TextScene {
   void draw(const Paper& paper) const noexcept {
     using namespace motion;
     // It begins full, and fills again after it was emptied. A breath is 2.5 s.
-    const int32_t now = frame_ms(80, kLoopFrames / 2);
-    const int32_t level =
-        lerp(0, most_, ease(kEaseInOut, fraction(0, 2400, now))) -
-        lerp(0, most_, ease(kEaseInOut, fraction(4200, 4800, now)));
+    const int32_t now = frame_ms(122, kLoopFrames / 2);
+    const Q16_16 filled =
+        Q16_16::from_raw(ease(kEaseInOut, fraction(0, 2400, now)).raw -
+                         ease(kEaseInOut, fraction(4200, 4800, now)).raw);
+    const int32_t level = lerp(0, most_, filled);
     const uint32_t turn = frame() % 75 * 65536 / 75;
     const int32_t breath =
         128 - cosine(Angle::from_raw(uint16_t(turn))).raw / 128;
@@ -43,8 +44,13 @@ class ChargeScene : public TextScene {
     Rect in = body();
     in = {in.x0 + unit(), in.y0 + unit(), in.x1 - unit(), in.y1 - unit()};
     paper.fill(0x0a1a12, in);
-    in.x1 = in.x0 + (in.x1 - in.x0) * level / 100;
-    paper.fill(mix_rgb(0x124a2c, 0x1c7a46, breath), in);
+    // The edge is a part of a pixel.
+    const int32_t wide = lerp(0, (in.x1 - in.x0) * 256 * most_ / 100, filled);
+    const uint32_t ink = mix_rgb(0x124a2c, 0x1c7a46, breath);
+    in.x1 = in.x0 + (wide >> 8);
+    paper.fill(ink, in);
+    paper.fill(mix_rgb(0x0a1a12, ink, wide & 255),
+               {in.x1, in.y0, in.x1 + ((wide & 255) != 0 ? 1 : 0), in.y1});
     char digits[] = "000%";
     for (int32_t i = 2, rest = level; i >= 0; --i, rest /= 10) {
       digits[i] = static_cast<char>(digits[i] + rest % 10);

@@ -35,7 +35,7 @@ class TickerScene : public TextScene {
     motion::SoftWindow soft;
     soft.target = &paper.with(0xffc46b);
     soft.window = window_;
-    soft.soft.left = soft.soft.right = static_cast<uint8_t>(px(256) & 255);
+    soft.soft.left = soft.soft.right = static_cast<uint8_t>(px(80) & 255);
     const Q26_6 gap = Q26_6::from_int(px(80));
     // All of the line in a loop.
     const int64_t whole = label_.width().raw + gap.raw;

@@ -1,4 +1,4 @@
-// Scene `wipe`: an edge wipes one word off and reveals another.
+// Scene `wipe`: a soft edge wipes one word off and reveals another behind it.
 #pragma once
 
 #include "inkcell/motion/recipes.hpp"
@@ -19,11 +19,16 @@ class WipeScene : public TextScene {
     const Rect box =
         bounding_box(Painter().box(font(), style(), centred(word(0)), word(0)),
                      Painter().box(font(), style(), centred(word(1)), word(1)));
-    // Slow at its ends, the edge would show slivers of letters there.
-    const int32_t beside = px(128);
+    // Slow at its ends, the edge would show slivers of letters there; so would
+    // an edge that hides as softly as the other one reveals.
+    const int32_t x0 = box.x0 - px(256);
+    const int32_t x1 = box.x1 + px(256);
+    const uint8_t ahead = soft(40);
+    const uint8_t behind = soft(128);
     for (size_t i = 0; i < 2; ++i) {
-      hides_[i].set_edge(box.x0 - beside, box.x1 + beside, kSoft);
-      shows_[i].set_edge(box.x0 - beside, box.x1 + beside, kSoft);
+      // One edge ends where the other begins: both words are never seen.
+      hides_[i].set_edge(x0 + ahead, x1 + behind, ahead);
+      shows_[i].set_edge(x0, x1, behind);
     }
   }
 
@@ -33,8 +38,10 @@ class WipeScene : public TextScene {
   }
 
   void set_frame(uint32_t frame) noexcept {
-    const int32_t now = time_of(frame % (2 * kHalf));
-    half_ = frame / kHalf % 2;
+    // It begins when the edge is near the word.
+    const uint32_t at = (frame + 8) % (2 * kHalf);
+    const int32_t now = time_of(at);
+    half_ = at / kHalf;
     next(frame,
          bounding_box(hides_[half_].at(now, {}), shows_[half_].at(now, {})));
   }
@@ -49,14 +56,18 @@ class WipeScene : public TextScene {
  private:
   using Wipe = motion::Wipe;
   static constexpr uint32_t kHalf = 75;  // [frames]
-  static constexpr uint8_t kSoft = 2;    // [px] Both words are never seen.
 
+  // Of a part of the size. [px]
+  uint8_t soft(int32_t part_q8) const noexcept {
+    const int32_t wide = px(part_q8);
+    return static_cast<uint8_t>(wide < UINT8_MAX ? wide : UINT8_MAX);
+  }
   Wipe wipe(size_t index, uint32_t frame, Wipe::Kind kind) const noexcept {
     return {font(),
             style(),
             centred(word(index)),
             word(index),
-            {time_of(frame) + 1000, 900},
+            {time_of(frame), 1600},
             kind};
   }
 
