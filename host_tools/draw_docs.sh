@@ -39,8 +39,8 @@ trap 'rm -rf "$folder"' EXIT
 "$tools/design/inkcell-design" export --project "$folder/Pen.ufo" --out "$folder/Pen.ttf"
 "$tools/inkcell-animate" reel --font "$folder/Pen.ttf" --out docs/img/reel.gif
 # Eight frames each of the recipes: scene, first frame [s], frames a second.
-for strip in count,2,3 clock,3.5,10 typewriter,1.7,5 wipe,0,6 bounce,0,10 \
-  pulse,0,6 ticker,0,2 icons,0.3,6 melt,1,2; do
+for strip in count,0,3 clock,2.6,10 typewriter,1.7,5 wipe,0,6 bounce,0,10 \
+  pulse,0,6 ticker,0,2 icons,0,6 melt,0,2; do
   scene=${strip%%,*} rest=${strip#*,} fps=${strip##*,}
   "$tools/inkcell-animate" "$scene" --size 96x48 --from "${rest%%,*}" \
     --fps "$fps" --seconds "$(echo "8 / $fps" | awk '{print $1 / $3}')" \

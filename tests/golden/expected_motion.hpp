@@ -6,7 +6,7 @@ namespace golden {
 inline constexpr const char* kPathHash =
     "e01d611536fdba7aa6150de279ed84f6ee273d3199d75731da445ca94bce6cc8";
 inline constexpr const char* kClockHash =
-    "17e4c96483dc5ecc14d4e9e86d3adbaf8b41f2a5432215d9fb00acfc4d03f420";
+    "2b4625732c634b5a0bfe4c3bbf83b84f96dae041bcc086eb7a06ab4b75e75fb8";
 inline constexpr const char* kParticlesHash =
     "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
 inline constexpr const char* kFigure13Hash =
@@ -14,13 +14,13 @@ inline constexpr const char* kFigure13Hash =
 inline constexpr const char* kFigure14Hash =
     "512350642c8b79098fb6532a757973f6f3cf60716ede71cfc8a6ad9fb2b1941b";
 inline constexpr const char* kFigure15Hash =
-    "215f896dc8664afa035477eeb77c35f7c959c95398ae5e51ab895f570bbc534a";
+    "9d97eb7f2e49e0b1d504ccb96ca064ef321adbe68f743b1d0d2e0ebcd3a7b8dd";
 inline constexpr const char* kMeltHash =
-    "87258a455eefb68acc980833b99221d6555295ea8e7b344f1d561bb4c2e8b81e";
+    "ec5689c53aac77f15169c5af9f6c5b4efe5d3ec336f4fbeb648da64ed6a03cf7";
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =
-    "5bde90e2845b62aadeb96ef0af6fdfba7676a9e2d22346779547485356a9aefe";
+    "b6b83821ca8f5cf044d1d520a70426732649d6d2ec976859870c1070037eb4bb";
 inline constexpr const char* kTickerHash =
     "d80947ae405686e400062a1ec07f8a91eec4e81362b1ac40afa83d7cff7d5665";
 inline constexpr const char* kTypewriterHash =

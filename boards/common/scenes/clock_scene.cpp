@@ -11,7 +11,7 @@ constexpr uint32_t kColonInk = 0xff8f3c;
 
 constexpr uint32_t kMinutes = 4;  // then the first one again
 constexpr uint32_t kMinuteFrames = kLoopFrames / kMinutes;
-constexpr uint32_t kRestFrames = 30;  // before a change
+constexpr uint32_t kRestFrames = 3;  // before a change
 
 // Takes up to two digits off a text.
 bool read_number(Text& text, size_t least, uint32_t& out) noexcept {

@@ -22,8 +22,7 @@ class CountScene : public TextScene {
   }
 
   void set_frame(uint32_t frame) noexcept {
-    // It begins at rest.
-    const int32_t now = time_of((frame + 90) % kFrames);
+    const int32_t now = time_of(frame % kFrames);
     const bool is_up = now < kBackMs;
     counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
                   {is_up ? 0 : kBackMs, is_up ? 2600 : 700});

@@ -80,10 +80,10 @@ class MeltScene : public TextScene {
  private:
   using Grid = motion::DistanceGrid;
   static constexpr int32_t kHalf = kLoopFrames / 2;
-  static constexpr int32_t kMelts = 24;
-  static constexpr int32_t kLevels = 66;
-  static constexpr int32_t kFreezes = 78;
-  static constexpr int32_t kRests = 126;
+  static constexpr int32_t kMelts = 4;
+  static constexpr int32_t kLevels = 46;
+  static constexpr int32_t kFreezes = 58;
+  static constexpr int32_t kRests = 106;
 
   int32_t phase() const noexcept {
     return static_cast<int32_t>(step_ % static_cast<uint32_t>(kHalf));

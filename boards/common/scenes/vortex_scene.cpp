@@ -24,18 +24,19 @@ constexpr uint32_t kBody = 0xf2e6cf;
 constexpr uint32_t kCore = 0xd9763f;
 
 // Frames of a loop.
-constexpr uint32_t kBegins = 12;
-constexpr uint32_t kThins = 80;
+constexpr uint32_t kBegins = 2;
+constexpr uint32_t kThins = 70;
 // Strokes are thick again before condense() lifts deep and far samples so much
 // that layers far from the edge would show them.
-constexpr uint32_t kHeals = 180;
-constexpr uint32_t kEnds = 190;  // the vortex stops, the letter condenses
-constexpr uint32_t kHealed = 206;
-constexpr uint32_t kFilled = 236;
-constexpr uint32_t kGrown = 244;
+constexpr uint32_t kHeals = 170;
+constexpr uint32_t kEnds = 180;  // the vortex stops, the letter condenses
+constexpr uint32_t kHealed = 196;
+constexpr uint32_t kFilled = 226;
+constexpr uint32_t kGrown = 234;
 constexpr uint32_t kSwell = 25;  // until the vortex has full strength
 // Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
+constexpr uint32_t kFirstPart = 5;  // edges are clean when strokes heal
 
 // The colours of a print, and the angle of its lines at rest.
 struct PrintInks {
@@ -159,7 +160,8 @@ void VortexScene::step() noexcept {
   advect(grid_, flow, next_);
   // Alternates, so that no frame does both.
   if (phase % 2 == 0) {
-    const auto part = static_cast<int32_t>(phase / 2) % kRedistanceParts;
+    const auto part =
+        static_cast<int32_t>(phase / 2 + kFirstPart) % kRedistanceParts;
     const int32_t rows = grid_.height();
     redistance(next_, grid_, rows * part / kRedistanceParts,
                rows * (part + 1) / kRedistanceParts);
