@@ -8,11 +8,11 @@ inline constexpr const char* kPathHash =
 inline constexpr const char* kClockHash =
     "2b4625732c634b5a0bfe4c3bbf83b84f96dae041bcc086eb7a06ab4b75e75fb8";
 inline constexpr const char* kParticlesHash =
-    "350b617bfba670f860ffbfec7bfd54614549f9b047649486ff11e1b2889f075f";
+    "3b2cc5d0edd5661f193e73d95c49b720dd2bfa4c4a9062122ad13f1a1f42bfbb";
 inline constexpr const char* kFigure13Hash =
     "1f85ed7f62c56ee8348381d0d2f8aa4fffcddbe60cc23761684fcf5528d9ef4c";
 inline constexpr const char* kFigure14Hash =
-    "512350642c8b79098fb6532a757973f6f3cf60716ede71cfc8a6ad9fb2b1941b";
+    "e426b0d74548182176897fa9d1133449aa105b92a0a0026c681302e842b540e2";
 inline constexpr const char* kFigure15Hash =
     "9d97eb7f2e49e0b1d504ccb96ca064ef321adbe68f743b1d0d2e0ebcd3a7b8dd";
 inline constexpr const char* kMeltHash =

@@ -76,13 +76,13 @@ Status OffsetScene::open() noexcept {
       !paint_text(font_, text_, place, workspace_, guide_)) {
     guide_.clear();
   }
-  restart();
+  frame_ = 0;
+  place_particles();
   prepare();
   return Status::ok;
 }
 
-void OffsetScene::restart() noexcept {
-  frame_ = 0;
+void OffsetScene::place_particles() noexcept {
   RandomNumbers random(kSeed);
   for (Particle& p : particles_) {
     p = {};
@@ -155,7 +155,8 @@ void OffsetScene::pull_from_afar(int32_t strength_q10) noexcept {
 void OffsetScene::scatter(int32_t most_q10) noexcept {
   for (size_t i = 0; i < particles_.size; ++i) {
     Particle& p = particles_[i];
-    const uint32_t random = hash(frame_, static_cast<uint32_t>(i));
+    const uint32_t random =
+        hash(frame_ % kLoopFrames, static_cast<uint32_t>(i));
     const auto part = [&](uint32_t shift) {
       return (static_cast<int32_t>(random >> shift & 255) - 128) * most_q10 /
              128;
@@ -167,6 +168,10 @@ void OffsetScene::scatter(int32_t most_q10) noexcept {
 
 void OffsetScene::step() noexcept {
   ++frame_;
+  if (frame_ % kLoopFrames == 0) {
+    place_particles();
+    return;
+  }
   const uint32_t phase = frame_ % kBreath;
   const bool is_thrown = phase >= kSwells && phase < kSwollen - 4;
   // Scales offsets of a large screen, in px.
@@ -191,7 +196,8 @@ void OffsetScene::step() noexcept {
 void OffsetScene::set_frame(uint32_t frame) noexcept {
   before_ = now_;
   if (frame < frame_) {
-    restart();
+    frame_ = 0;
+    place_particles();
   }
   while (frame_ < frame) {
     step();
@@ -216,9 +222,10 @@ void OffsetScene::draw(const Paper& paper) noexcept {
   const Style style(place_.size, kFilterArea);
   Painter(paper.with(kBody), workspace_)
       .text(font_, style, place_.origin, text_);
-  const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);
+  const int32_t shown = shown_at(frame_);
+  const Q26_6 radius = Q26_6::from_raw((height_ < 120 ? 46 : 80) * shown / 256);
   for (const Particle& p : particles_) {
-    if (is_near(p, paper.window)) {
+    if (shown != 0 && is_near(p, paper.window)) {
       draw_dot(p.x, p.y, radius, paper.with(mix_rgb(kSlow, kFast, heat_of(p))));
     }
   }

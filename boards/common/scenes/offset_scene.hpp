@@ -46,7 +46,7 @@ class OffsetScene : public SceneBase {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
-  void restart() noexcept;
+  void place_particles() noexcept;
   void step() noexcept;
   void scatter(int32_t most_q10) noexcept;
   void pull_from_afar(int32_t strength_q10) noexcept;

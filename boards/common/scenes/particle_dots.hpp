@@ -18,6 +18,16 @@ constexpr int32_t heat_of(const simulation::Particle& p) noexcept {
   return heat < 256 ? heat : 256;
 }
 
+/// The part of a dot's radius that is shown: dots vanish where a loop begins,
+/// and are placed anew. [of 256]
+constexpr int32_t shown_at(uint32_t frame) noexcept {
+  constexpr uint32_t kFrames = 12;
+  const uint32_t since = frame % kLoopFrames;
+  const uint32_t near =
+      since < kLoopFrames - since ? since : kLoopFrames - since;
+  return static_cast<int32_t>(near < kFrames ? near * 256 / kFrames : 256);
+}
+
 /// Whether a dot of up to 2 px may touch rows of a window.
 constexpr bool is_near(const simulation::Particle& p,
                        const Rect& window) noexcept {

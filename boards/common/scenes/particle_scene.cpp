@@ -156,10 +156,15 @@ Status ParticleScene::open() noexcept {
 
 void ParticleScene::restart() noexcept {
   frame_ = 0;
-  random_ = RandomNumbers(kSeed);
   // open() has tried both words.
   static_cast<void>(show_word(0));
   static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
+  place_particles();
+}
+
+// As a loop begins.
+void ParticleScene::place_particles() noexcept {
+  random_ = RandomNumbers(kSeed);
   for (size_t i = 0; i < pieces_.size; ++i) {
     pieces_[i] = {};
     pieces_[i].x.raw = homes_[i].x_q4 * 4096;
@@ -187,6 +192,10 @@ void ParticleScene::burst() noexcept {
 
 void ParticleScene::step() noexcept {
   ++frame_;
+  if (frame_ % kLoopFrames == 0) {
+    place_particles();
+    return;
+  }
   const uint32_t phase = frame_ % kWordFrames;
   const auto index = size_t{frame_ / kWordFrames % 2};
   if (phase == kBurst) {
@@ -301,9 +310,11 @@ void ParticleScene::draw_particles(const Paper& paper) const noexcept {
     const uint32_t glow = mix_rgb(kSlow, kFast, heat_of(p));
     draw_dot(p.x, p.y, radius, paper.with(mix_rgb(glow, kInk, hidden)));
   }
-  const Q26_6 fly_radius = Q26_6::from_raw(is_small ? 48 : kFlyRadiusQ6);
+  const int32_t shown = shown_at(frame_);
+  const Q26_6 fly_radius =
+      Q26_6::from_raw((is_small ? 48 : kFlyRadiusQ6) * shown / 256);
   for (const Particle& fly : flies_) {
-    if (is_near(fly, paper.window)) {
+    if (shown != 0 && is_near(fly, paper.window)) {
       draw_dot(fly.x, fly.y, fly_radius, paper.with(kFly));
     }
   }

@@ -41,6 +41,7 @@ class ParticleScene : public SceneBase {
 
  private:
   void restart() noexcept;
+  void place_particles() noexcept;
   void step() noexcept;
   void burst() noexcept;
   bool show_word(size_t word) noexcept;
