@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shape/affine.hpp"
+#include "shape/points.hpp"
 #include "source/glyph_reader.hpp"
 
 namespace inkcell::gen {
@@ -224,7 +225,7 @@ class LayerReader {
     const auto length = [&](size_t i) {
       return table_.whole(paint + 4 + 2 * i) * unit_;
     };
-    const auto angle = [&](size_t i) { return factor(i) * M_PI; };
+    const auto angle = [&](size_t i) { return factor(i) * kPi; };
     const unsigned format = format_of(paint);
     Affine map;
     size_t centre = 0;  // 0: there is none
