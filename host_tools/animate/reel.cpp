@@ -26,12 +26,12 @@ constexpr std::array<Window, 12> kWindows = {
      {"bounce", "bounce", 8, 16, 16},
      {"particles", "particles", 42, 16, 48},
      {"path", "path", 84, 16, 92},
-     {"wipe", "wipe", 32, 16, 40},
-     {"figure15", "vortex", 44, 16, 56},
+     {"wipe", "wipe", 8, 16, 16},
+     {"figure15", "vortex", 34, 16, 46},
      {"pulse", "pulse", 8, 16, 16},
      {"print", "print", 46, 16, 60},
      {"splash", "splash", 68, 16, 80},
-     {"melt", "melt", 32, 16, 40},
+     {"melt", "melt", 12, 16, 20},
      {"figure13", "soft letters", 80, 16, 72},
      {"figure14", "swell", 78, 6, 92}}};
 
