@@ -192,7 +192,7 @@ fi
 # same code runs in smaller ones. Nor that of a firmware, which has no
 # sanitizers. So tests/CMakeLists.txt leaves folders out, and the fonts that
 # programs are built with come from the generator without sanitizers.
-slow='fonts|format\.shaping|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
+slow='fonts|format\.shaping|bench\.m3|tools\.(accuracy|animate)|design\.(family|figures|window)'
 if wanted sanitize; then
   build host-sanitize --preset host-sanitize "$fontgen" \
     -DINKCELL_SECOND_LANE=ON -DINKCELL_STUDIO=ON \
