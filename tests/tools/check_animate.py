@@ -11,6 +11,7 @@ import struct
 from png import chunks, read_png, unfilter
 from programs import INTER, SANS, FolderCase, main, run
 
+ITALIC = "/usr/share/fonts/truetype/liberation/LiberationSerif-Italic.ttf"
 # Scenes that repeat without a seam.
 LOOPS = ("count", "ticker", "typewriter", "wipe", "bounce", "pulse", "splash",
          "charge", "clock", "path", "particles", "figure13", "figure14")
@@ -290,6 +291,14 @@ class Animate(FolderCase):
             ink = sum(frame[i:i + 3] != ground
                       for i in range(0, len(frame), 3))
             self.assertGreater(ink, 1000)
+
+    def test_the_vortex_leaves_the_letter_whole(self):
+        """Of an italic as well, part of which nothing reaches."""
+        self.font = ITALIC
+        out, _ = self.play("figure15", "i.png", "--fps", 1, size="320x240",
+                           frames=300)
+        frames = frames_of(out.read_bytes())
+        self.assertEqual(frames[-1], frames[0])
 
     def test_the_letter_condenses_with_clean_edges(self):
         """Few pixels are between inks with all that surround them: edges are

@@ -132,9 +132,13 @@ void VortexScene::condense(uint32_t phase) noexcept {
     next_ = swap;
     return;
   }
-  const int32_t most = since < 13 ? 2 * since + 2 : 28;
-  static_cast<void>(paint(next_));  // open() has tried it
-  freeze(grid_, next_, phase < kGrown ? most : 255);
+  // open() has tried to paint it.
+  if (phase == kGrown) {
+    static_cast<void>(paint(grid_));
+    return;
+  }
+  static_cast<void>(paint(next_));
+  freeze(grid_, next_, since < 13 ? 2 * since + 2 : 28);
 }
 
 void VortexScene::step() noexcept {
