@@ -110,8 +110,7 @@ def make_machine(folder, build):
             f'{name} "$@"\n')
         (stand_ins / name).chmod(0o755)
     programs = [f"{build}/{name}" for name in
-                ("fonts_gen", "host_tools", "host_tools/simulator",
-                 "host_tools/design/editor")]
+                ("fonts_gen", "host_tools", "host_tools/simulator")]
     return {**os.environ, "APP": "app",  # whose Makefile would build a generator
             "INKCELL_FONTGEN": f"{build}/fonts_gen/inkcell-fontgen",
             "PATH": ":".join([str(stand_ins), *programs, os.environ["PATH"]])}

@@ -21,7 +21,7 @@ inkcell::TextGlyph room[64];
 char bytes[demo::kMostNotices][demo::kMostNoticeBytes];
 demo::Notice notices[demo::kMostNotices];
 
-// What does not fit is left out.
+// Reads a line, and drops the bytes that find no room.
 Text read_line(char (&out)[demo::kMostNoticeBytes]) noexcept {
   size_t size = 0;
   for (char c = board::console_read(); c != '\n'; c = board::console_read()) {

@@ -20,7 +20,7 @@ constexpr const char* kTexts[kPages] = {
     u8"一丁乙亿佛凸凹匪厨叠吨噪园埠墨夔姊嬴孵寇岛嶙巢幢弊彝憋"
     u8"扑抉撼斋曙朽椿檬歌氮淆澜灶熨牍獠玺"};
 
-// Of fonts of outlines. [px]
+// The size that fonts of outlines are drawn at. [px]
 constexpr int32_t kOutlinePx = 12;
 
 // A line has at most as many glyphs as pixels in a row.

@@ -57,7 +57,7 @@ class WipeScene : public TextScene {
   using Wipe = motion::Wipe;
   static constexpr uint32_t kHalf = 75;  // [frames]
 
-  // Of a part of the size. [px]
+  // A softness: a part of the size, at most what fits. [px]
   uint8_t soft(int32_t part_q8) const noexcept {
     const int32_t wide = px(part_q8);
     return static_cast<uint8_t>(wide < UINT8_MAX ? wide : UINT8_MAX);
