@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "e01d611536fdba7aa6150de279ed84f6ee273d3199d75731da445ca94bce6cc8";
+    "e2a52bd714740004fe7a77af1e14bfec9406ba67d40590ddff4d887ad436a3ca";
 inline constexpr const char* kClockHash =
     "2b4625732c634b5a0bfe4c3bbf83b84f96dae041bcc086eb7a06ab4b75e75fb8";
 inline constexpr const char* kParticlesHash =
@@ -20,7 +20,7 @@ inline constexpr const char* kMeltHash =
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =
-    "b6b83821ca8f5cf044d1d520a70426732649d6d2ec976859870c1070037eb4bb";
+    "2827741345884f95684b255e8e49fb610a8ec8d540fef0ee81c87cfa0364d90a";
 inline constexpr const char* kTickerHash =
     "d80947ae405686e400062a1ec07f8a91eec4e81362b1ac40afa83d7cff7d5665";
 inline constexpr const char* kTypewriterHash =
@@ -28,8 +28,8 @@ inline constexpr const char* kTypewriterHash =
 inline constexpr const char* kWipeHash =
     "bd1a786212124e3242505d1a079e2511971d63b5ecd18d68001a437281277e98";
 inline constexpr const char* kBounceHash =
-    "9aec80e82eb71af7e6286db2e8cdad3942383a6ab0d9e1dc42d27fff6bb7af1d";
+    "3195fcaf0b054760bf0f7670160e169a1f0ce2be75974661bcb9cd269cefede9";
 inline constexpr const char* kSplashHash =
-    "4a53c174ff3e810fdeab6bedb17b54b7a7febc665ce16dee20f0caf65c918b7e";
+    "cae51b9889c41aee6878419eef4896280c93b73430927a2239b556d1a5deafd0";
 
 }  // namespace golden

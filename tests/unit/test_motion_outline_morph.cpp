@@ -2,6 +2,7 @@
 // and any bytes.
 #include "check.hpp"
 #include "inkcell/motion/outline_morph.hpp"
+#include "inkcell/motion/pose_renderer.hpp"
 #include "inkcell/motion/weight_pulse.hpp"
 #include "inkcell/painter.hpp"
 #include "outline_record.hpp"
@@ -342,12 +343,57 @@ TEST(masters_of_glyphs) {
   for (const uint16_t glyph : kOthers) {
     CHECK(OutlineMorph::open_master(font, glyph, morph) == Status::no_glyph);
     CHECK_EQ(morph.to(), 8);
+    CHECK_EQ(OutlineMorph::to_master(font, glyph).to(), glyph < 10 ? glyph : 0);
   }
+  CHECK_EQ(OutlineMorph::to_master(font, 7).to(), 8);
   // There are none.
   font = font_with(6, 0);
   CHECK(OutlineMorph::open_master(font, 4, morph) == Status::no_glyph);
   CHECK(OutlineMorph::open_master(Font(), 0, morph) == Status::no_glyph);
   build_font();
+}
+
+TEST(morphs_in_poses) {
+  const Font& font = font_of_morphs();
+  PoseRenderer renderer(font, kSize);
+  PosedGlyph glyph;
+  glyph.at = {28_px, 28_px};
+  glyph.pivot_x = glyph.pivot_y = Q16_16::from_int(24);
+  glyph.pose.angle.raw = 5000;
+  glyph.pose.scale_y = Scale::from_raw(2600);
+  glyph.pose.opacity = 200;
+  const OutlineMorph morph = morph_of(4, 5);
+  const auto draw_pose = [&](bool morphs, int32_t rows) {
+    picture.clear();
+    picture.draw_strips(rows, [&](const Sink& sink) {
+      const Painter painter(sink, Workspace(ram));
+      glyph.glyph = morphs ? 4 : 6;
+      if (morphs) {
+        renderer.draw(glyph, morph, kHalf, painter);
+      } else {
+        renderer.draw({&glyph, 1}, painter);
+      }
+    });
+  };
+  draw_pose(false, kSide);
+  expected = picture;
+  draw_pose(true, kSide);
+  CHECK(picture.difference(expected) <= 2);  // points are rounded twice
+  const Rect box = renderer.box(glyph, morph, kHalf);
+  int32_t ink = 0;
+  for (const auto [x, y] : pixels_of(kSide, kSide)) {
+    ink += picture.at(x, y);
+    CHECK(picture.at(x, y) == 0 || holds(box, x, y));
+  }
+  CHECK(ink > 100 * 200);
+  expected = picture;
+  draw_pose(true, 5);
+  CHECK(picture == expected);
+  glyph.pose.opacity = 0;
+  draw_pose(true, kSide);
+  expected.clear();
+  CHECK(picture == expected);
+  CHECK(is_empty(renderer.box(glyph, morph, kHalf)));
 }
 
 TEST(advances_between_glyphs) {

@@ -143,7 +143,7 @@ void grow(Screen& screen) {
 }
 
 Status bounce(Screen& screen) {
-  static constexpr PoseThere kHop = hop(8_px, 500);  // height, duration [ms]
+  static constexpr Hop kHop = hop(8_px, 500);  // height, duration [ms]
   LetterMotion motion;
   motion.keys = kHop.keys;  // or those of swell(1.5_px, 500)
   motion.timing.duration_ms = 1500;
@@ -152,7 +152,8 @@ Status bounce(Screen& screen) {
   RunPlace where;
   where.origin = {2, 30};  // x, baseline
   where.size = style.size();
-  RunGlyph glyphs[8];  // one for each letter, or more
+  where.pivot_height = 0;  // they stand on their feet
+  RunGlyph glyphs[8];      // one for each letter, or more
   Run run;
   INKCELL_TRY(lay_out(font, "01234", Anchor::left, glyphs, run));
   PoseRenderer renderer(font, style.size());

@@ -30,25 +30,23 @@ class LettersScene : public TextScene {
     constexpr StaggerOrder kOrder = kLetters == Letters::splash
                                         ? StaggerOrder::from_centre
                                         : StaggerOrder::forward;
-    const motion::PoseThere there =
-        kLetters == Letters::bounce
-            ? hop(Q26_6::from_raw(size.raw / 2), 620)
-            : swell(Q26_6::from_raw(size.raw / 40), 800);
-    for (size_t i = 0; i < 3; ++i) {
-      keys_[i] = there.keys[i];
-    }
-    motion_.keys = {keys_, 3};
-    if (kLetters == Letters::splash) {
-      // Gone: small, low and clear.
+    if (kLetters == Letters::bounce) {
+      take(hop(Q26_6::from_raw(size.raw / 2), 760).keys);
+      where_.pivot_height = 0;
+    } else if (kLetters == Letters::pulse) {
+      take(swell(Q26_6::from_raw(size.raw / 40), 800).keys);
+    } else {
+      // Gone: small, low and clear. The first letters are back before the last
+      // ones are gone.
       Pose gone;
       gone.opacity = 0;
       gone.offset.y = Q26_6::from_raw(size.raw / 3);
       gone.scale_x = gone.scale_y = Scale::from_raw(2600);
-      keys_[0] = {0, Pose(), kLeave};
-      keys_[1] = {600, gone, {}};
-      keys_[2] = {900, gone, kOvershoot};
-      keys_[3] = {1500, Pose(), {}};
-      motion_.keys = keys_;
+      const PoseKey keys[] = {{0, Pose(), kLeave},
+                              {500, gone, {}},
+                              {560, gone, kOvershoot},
+                              {1160, Pose(), {}}};
+      take(keys);
     }
     motion_.timing = {0, time_of(kFrames), 0};
     motion_.stagger = {90, kOrder, 0};
@@ -85,13 +83,20 @@ class LettersScene : public TextScene {
   static constexpr uint32_t kFrames = kLoopFrames / 4;
   // All letters are in a later round: some at rest; of splash, on their way in.
   static constexpr int32_t kStartMs =
-      kLetters == Letters::splash ? 4 * time_of(kFrames) + 1270 : 5000;
+      kLetters == Letters::splash ? 4 * time_of(kFrames) + 930 : 5000;
 
  private:
+  void take(Span<const motion::PoseKey> keys) noexcept {
+    for (size_t i = 0; i < keys.size; ++i) {
+      keys_[i] = keys.data[i];
+    }
+    motion_.keys = {keys_, keys.size};
+  }
+
   motion::RunGlyph glyphs_[24];
   motion::Run run_;
   motion::RunPlace where_;
-  motion::PoseKey keys_[4];
+  motion::PoseKey keys_[8];
   motion::LetterMotion motion_;
   motion::PoseRenderer renderer_;
   motion::MovingLetters letters_;

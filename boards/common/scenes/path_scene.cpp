@@ -1,4 +1,5 @@
-// Ten seconds: letters fly in, the wave swings, weight runs along the line, and
+// Ten seconds: letters fly in, the wave swings, weight runs along the line (by
+// the second masters of the font, if it has them) and moves letters apart, and
 // letters leave, each one shortly before it comes again: the screen is never
 // empty.
 #include "path_scene.hpp"
@@ -43,6 +44,19 @@ Q26_6 size_for(const Font& font, Text text, int32_t width, int32_t height) {
   const int32_t by_height = height * 64 / 4;
   const int32_t size = by_width < by_height ? by_width : by_height;
   return Q26_6::from_raw(size < kMinSize.raw ? kMinSize.raw : size);
+}
+
+// A wave of weight runs along the line.
+Q16_16 bold_at(size_t index, int32_t time_ms) {
+  const int32_t pulse = kWeightMs + static_cast<int32_t>(index) * 90;
+  const Q16_16 up = fraction(pulse, pulse + 260, time_ms);
+  const Q16_16 down = fraction(pulse + 260, pulse + 700, time_ms);
+  return Q16_16::from_raw(ease(kEaseOut, up).raw - ease(kEaseInOut, down).raw);
+}
+
+// How far edges move outwards at a weight. [px, Q10]
+int32_t reach_q10(Q26_6 size, Q16_16 bold) {
+  return scaled(size.raw * 16 / 36, bold);
 }
 
 }  // namespace
@@ -113,15 +127,7 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
     pose.scale_x.raw = static_cast<int16_t>(scale);
     pose.scale_y.raw = static_cast<int16_t>(scale);
     pose.opacity = static_cast<uint8_t>(scaled(255, fraction(0, 120, since)));
-    // A wave of weight runs along the line.
-    const int32_t pulse = kWeightMs + static_cast<int32_t>(i) * 90;
-    const Q16_16 up = fraction(pulse, pulse + 260, time_ms);
-    const Q16_16 down = fraction(pulse + 260, pulse + 700, time_ms);
-    const int32_t bold = ease(kEaseOut, up).raw - ease(kEaseInOut, down).raw;
-    const int32_t most_q10 = on_path_.size.raw * 16 / 24;
-    pose.weight.raw =
-        static_cast<int16_t>(scaled(most_q10, Q16_16::from_raw(bold)));
-    pose.offset.y.raw -= scaled(on_path_.size.raw / 7, Q16_16::from_raw(bold));
+    pose.offset.y.raw -= scaled(on_path_.size.raw / 7, bold_at(index, time_ms));
     return pose;
   }
   // Letters leave at the bottom: a little back first, then down, slanted.
@@ -136,19 +142,62 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   return pose;
 }
 
+// To its second master, if the font has it and the workspace holds it.
+OutlineMorph PathScene::morph_of(uint16_t glyph) const noexcept {
+  OutlineMorph morph = OutlineMorph::to_master(font_, glyph);
+  if (workspace_.size < OutlineMorph::workspace_bytes(font_)) {
+    static_cast<void>(OutlineMorph::open(font_, glyph, glyph, morph));
+  }
+  return morph;
+}
+
+// Half of what a letter is wider than in plain text. [px, Q16]
+int32_t PathScene::half_growth(const OutlineMorph& morph,
+                               Q16_16 bold) const noexcept {
+  const Style style(on_path_.size, kFilterMotion);
+  return morph.from() == morph.to() ? 64 * reach_q10(on_path_.size, bold)
+                                    : (morph.advance(style, bold).raw -
+                                       morph.advance(style, Q16_16()).raw) *
+                                          (1 << 9);
+}
+
 void PathScene::set_frame(uint32_t frame) noexcept {
   frame_ = frame;
   const int32_t time_ms = time_of(frame + kFirstFrame);
   make_wave(time_ms);
+  // The line grows to both sides.
   on_path_.start.raw = path_.length().raw / 2;
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
-    before_[i] = posed_[i];
-    posed_[i] = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
-    if (posed_[i].pose.opacity == 0) {
-      // All invisible glyphs are equal.
-      posed_[i] = {};
-      posed_[i].pose.opacity = 0;
+    on_path_.start.raw -=
+        half_growth(morph_of(run_.glyphs[i].glyph), bold_at(i, time_ms));
+  }
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    Letter now;
+    now.bold = bold_at(i, time_ms);
+    const OutlineMorph morph = morph_of(run_.glyphs[i].glyph);
+    const int32_t half = half_growth(morph, now.bold);
+    on_path_.start.raw += half;
+    now.posed = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
+    on_path_.start.raw += half;
+    if (morph.from() != morph.to()) {
+      now.posed.pivot_x.raw += half;
+    } else {
+      now.posed.pose.weight.raw =
+          static_cast<int16_t>(reach_q10(on_path_.size, now.bold));
     }
+    if (now.posed.pose.opacity == 0) {
+      // All invisible glyphs are equal.
+      now = {};
+      now.posed.pose.opacity = 0;
+    }
+    Letter& before = letters_[i];
+    changed_[i] = {};
+    if (now.posed != before.posed || now.bold.raw != before.bold.raw) {
+      changed_[i] =
+          bounding_box(renderer_.box(before.posed, morph, before.bold),
+                       renderer_.box(now.posed, morph, now.bold));
+    }
+    before = now;
   }
 }
 
@@ -159,18 +208,21 @@ void PathScene::draw(const Paper& paper) noexcept {
     const int32_t part = last <= 0 ? 0 : static_cast<int32_t>(i) * 512 / last;
     const uint32_t ink = part < 256 ? mix_rgb(kFirstInk, kMiddleInk, part)
                                     : mix_rgb(kMiddleInk, kLastInk, part - 256);
-    renderer_.draw({posed_ + i, 1}, {paper.with(ink), workspace_});
+    const Letter& letter = letters_[i];
+    renderer_.draw(letter.posed, morph_of(letter.posed.glyph), letter.bold,
+                   {paper.with(ink), workspace_});
   }
 }
 
 void PathScene::add_changes(DirtyRects& dirty) const noexcept {
-  renderer_.add_changes({before_, run_.glyphs.size}, {posed_, run_.glyphs.size},
-                        screen(), dirty);
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    dirty.add(changed_[i], screen());
+  }
 }
 
 void PathScene::tell_state(const StateSink& sink) const noexcept {
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
-    const PosedGlyph& glyph = posed_[i];
+    const PosedGlyph& glyph = letters_[i].posed;
     sink.tell(glyph.glyph);
     sink.tell(glyph.at.x.raw);
     sink.tell(glyph.at.y.raw);

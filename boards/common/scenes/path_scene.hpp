@@ -1,6 +1,7 @@
 // Scene `path`: letters fly onto a wave, ride it, and leave.
 #pragma once
 
+#include "inkcell/motion/outline_morph.hpp"
 #include "inkcell/motion/path.hpp"
 #include "inkcell/motion/pose_renderer.hpp"
 #include "inkcell/motion/run.hpp"
@@ -26,10 +27,18 @@ class PathScene : public SceneBase {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
+  struct Letter {
+    motion::PosedGlyph posed;
+    Q16_16 bold;  // the part of the way to the second master
+  };
+
   static constexpr int32_t kPieces = 16;  // of each half of the wave
 
   void make_wave(int32_t time_ms) noexcept;
   motion::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
+  motion::OutlineMorph morph_of(uint16_t glyph) const noexcept;
+  int32_t half_growth(const motion::OutlineMorph& morph,
+                      Q16_16 bold) const noexcept;
 
   motion::PathPlace on_path_;
   motion::PoseRenderer renderer_;
@@ -37,8 +46,8 @@ class PathScene : public SceneBase {
   motion::Run run_;
   motion::PathPoint points_[2 * kPieces + 1];
   motion::Path path_;
-  motion::PosedGlyph posed_[kMaxGlyphs];
-  motion::PosedGlyph before_[kMaxGlyphs];
+  Letter letters_[kMaxGlyphs];
+  Rect changed_[kMaxGlyphs];
 };
 
 }  // namespace inkcell::scenes

@@ -226,6 +226,15 @@ Status OutlineMorph::open_master(const Font& font,
   return master == glyph ? Status::no_glyph : open(font, glyph, master, out);
 }
 
+OutlineMorph OutlineMorph::to_master(const Font& font,
+                                     uint16_t glyph) noexcept {
+  OutlineMorph morph;
+  if (open_master(font, glyph, morph) != Status::ok) {
+    static_cast<void>(open(font, glyph, glyph, morph));
+  }
+  return morph;
+}
+
 Q26_6 OutlineMorph::advance(const Style& style,
                             Q16_16 progress) const noexcept {
   if (font_ == nullptr) {

@@ -153,9 +153,30 @@ void PoseRenderer::draw(Span<const PosedGlyph> glyphs,
   }
 }
 
+void PoseRenderer::draw(const PosedGlyph& glyph,
+                        const OutlineMorph& morph,
+                        Q16_16 progress,
+                        const Painter& painter) noexcept {
+  Map map;
+  if (map_of(glyph, map) && make_style(glyph, map)) {
+    const Fade fade = {&painter.sink(), glyph.pose.opacity};
+    const Sink sink = make_sink(fade);
+    morph.draw(painter.with(sink).for_motion(), style_, map.origin, progress);
+  }
+}
+
 Rect PoseRenderer::box(const PosedGlyph& glyph) const noexcept {
   Map map;
   return map_of(glyph, map) ? box_of(glyph, map) : Rect();
+}
+
+Rect PoseRenderer::box(const PosedGlyph& glyph,
+                       const OutlineMorph& morph,
+                       Q16_16 progress) noexcept {
+  Map map;
+  return map_of(glyph, map) && make_style(glyph, map)
+             ? morph.box(style_, map.origin, progress)
+             : Rect();
 }
 
 void PoseRenderer::add_changes(Span<const PosedGlyph> before,

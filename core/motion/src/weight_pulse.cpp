@@ -8,15 +8,6 @@
 namespace inkcell::motion {
 namespace {
 
-// A letter without a second master is a morph of a glyph and itself.
-OutlineMorph morph_of(const Font& font, uint16_t glyph) noexcept {
-  OutlineMorph morph;
-  if (OutlineMorph::open_master(font, glyph, morph) != Status::ok) {
-    static_cast<void>(OutlineMorph::open(font, glyph, glyph, morph));
-  }
-  return morph;
-}
-
 // By what a letter is wider than in plain text. [px, Q6]
 int32_t growth(const OutlineMorph& morph,
                const Style& style,
@@ -71,7 +62,8 @@ Rect WeightPulse::at(int32_t now_ms) noexcept {
   TextCursor cursor(*face_.font, text_);
   PositionedGlyph glyph;
   for (size_t i = 0; cursor.next(glyph); ++i) {
-    const OutlineMorph morph = morph_of(*face_.font, glyph.glyph);
+    const OutlineMorph morph =
+        OutlineMorph::to_master(*face_.font, glyph.glyph);
     const bool can_morph = morph.from() != morph.to();
     Q16_16 parts[2];
     for (int32_t k = 0; k < 2 && can_morph; ++k) {
@@ -100,7 +92,7 @@ void WeightPulse::draw(const Painter& painter) const noexcept {
   TextCursor cursor(font, text_);
   PositionedGlyph glyph;
   for (size_t i = 0; cursor.next(glyph); ++i) {
-    const OutlineMorph morph = morph_of(font, glyph.glyph);
+    const OutlineMorph morph = OutlineMorph::to_master(font, glyph.glyph);
     const Q16_16 part = has_room ? progress(i, now_ms_) : Q16_16();
     morph.draw(painter, *face_.style, place(glyph, grown_q6), part);
     grown_q6 += growth(morph, *face_.style, part);

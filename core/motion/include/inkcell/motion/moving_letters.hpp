@@ -18,15 +18,42 @@ struct PoseThere {
   PoseKey keys[3];
 };
 
-/// A letter hops: up and down in `duration_ms`.
-constexpr PoseThere hop(Q26_6 height, int32_t duration_ms) noexcept {
-  PoseThere there;
-  there.keys[0].easing = cubic_bezier(0, 0, 550, 1000);
-  there.keys[1].at_ms = duration_ms / 2;
-  there.keys[1].pose.offset.y = Q26_6::from_raw(-height.raw);
-  there.keys[1].easing = cubic_bezier(450, 0, 1000, 1000);
-  there.keys[2].at_ms = duration_ms;
-  return there;
+/// The keys of a letter that hops. For LetterMotion.
+struct Hop {
+  PoseKey keys[8];
+};
+
+/// A letter hops: it crouches, flies up and down, lands, and springs back, all
+/// in `duration_ms`. For letters that stand on their pivots: with
+/// RunPlace::pivot_height 0.
+constexpr Hop hop(Q26_6 height, int32_t duration_ms) noexcept {
+  struct Moment {
+    int16_t at;  // [1/1000 of the duration]
+    int16_t scale_x_q12;
+    int16_t scale_y_q12;
+    Easing easing;
+  };
+  // Crouched, off the ground, at the top, on the ground, squashed, up again.
+  constexpr Moment kMoments[8] = {
+      {0, 4096, 4096, kEaseInOut},
+      {110, 4260, 3560, kEaseOut},
+      {190, 3930, 4350, cubic_bezier(0, 0, 550, 1000)},
+      {440, 4096, 4096, cubic_bezier(450, 0, 1000, 1000)},
+      {690, 3930, 4350, kEaseOut},
+      {770, 4340, 3400, kEaseInOut},
+      {880, 4010, 4230, kEaseInOut},
+      {1000, 4096, 4096, kLinear}};
+  Hop result;
+  for (int32_t i = 0; i < 8; ++i) {
+    PoseKey& key = result.keys[i];
+    key.at_ms =
+        static_cast<int32_t>(int64_t{duration_ms} * kMoments[i].at / 1000);
+    key.pose.scale_x = Scale::from_raw(kMoments[i].scale_x_q12);
+    key.pose.scale_y = Scale::from_raw(kMoments[i].scale_y_q12);
+    key.easing = kMoments[i].easing;
+  }
+  result.keys[3].pose.offset.y = Q26_6::from_raw(-height.raw);
+  return result;
 }
 
 /// A letter grows bold and light again: edges move outwards by `weight`, at
@@ -46,7 +73,7 @@ constexpr PoseThere swell(Q26_6 weight, int32_t duration_ms) noexcept {
 
 /// One motion for each letter of a run, each a little later than another.
 struct LetterMotion {
-  Span<const PoseKey> keys;  // such as hop().keys
+  Span<const PoseKey> keys;  // such as swell().keys
   Timing timing;             // repeats 0: for ever
   Stagger stagger;
 };

@@ -50,6 +50,9 @@ class OutlineMorph {
                             uint16_t glyph,
                             OutlineMorph& out) noexcept;
 
+  /// The same, or from the glyph to itself where the font holds none.
+  static OutlineMorph to_master(const Font& font, uint16_t glyph) noexcept;
+
   /// The least workspace of a painter that draws any pair of the font. A strip
   /// of 16 rows of 96 px in one band takes 1.8 KB more. [bytes]
   static size_t workspace_bytes(const Font& font) noexcept;

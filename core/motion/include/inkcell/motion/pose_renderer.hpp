@@ -13,6 +13,7 @@
 #include "inkcell/dirty_rects.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/motion/outline_morph.hpp"
 #include "inkcell/motion/pose.hpp"
 #include "inkcell/painter.hpp"
 #include "inkcell/span.hpp"
@@ -46,8 +47,19 @@ class PoseRenderer {
   /// the sink's window.
   void draw(Span<const PosedGlyph> glyphs, const Painter& painter) noexcept;
 
+  /// The same of a glyph that becomes another, such as its second master, in
+  /// its pose: `morph.from()` is drawn. The painter's workspace must have
+  /// OutlineMorph::workspace_bytes() of the font.
+  void draw(const PosedGlyph& glyph,
+            const OutlineMorph& morph,
+            Q16_16 progress,
+            const Painter& painter) noexcept;
+
   /// The pixels that a glyph may touch; empty if it is not drawn.
   Rect box(const PosedGlyph& glyph) const noexcept;
+  Rect box(const PosedGlyph& glyph,
+           const OutlineMorph& morph,
+           Q16_16 progress) noexcept;
 
   /// Adds the areas in which `now` differs from `before`. Glyphs are compared
   /// by index; glyphs that only one of them has are changes, too.
