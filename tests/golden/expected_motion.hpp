@@ -4,11 +4,11 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "e2a52bd714740004fe7a77af1e14bfec9406ba67d40590ddff4d887ad436a3ca";
+    "700f241212c617e84ccb7a93dc2be2f717eee00c17839493297c76536748fd0e";
 inline constexpr const char* kClockHash =
     "2b4625732c634b5a0bfe4c3bbf83b84f96dae041bcc086eb7a06ab4b75e75fb8";
 inline constexpr const char* kParticlesHash =
-    "3b2cc5d0edd5661f193e73d95c49b720dd2bfa4c4a9062122ad13f1a1f42bfbb";
+    "69f34fbc9da58177efbb3bb018fd036bd7c869f78e67538e4d7dca496cdccccb";
 inline constexpr const char* kFigure13Hash =
     "1f85ed7f62c56ee8348381d0d2f8aa4fffcddbe60cc23761684fcf5528d9ef4c";
 inline constexpr const char* kFigure14Hash =
@@ -20,9 +20,9 @@ inline constexpr const char* kMeltHash =
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =
-    "2827741345884f95684b255e8e49fb610a8ec8d540fef0ee81c87cfa0364d90a";
+    "fd46ed944924dc1b9cb3db51ef0a9fea5ff7c59197dc01273ce1125708e4eda5";
 inline constexpr const char* kTickerHash =
-    "d80947ae405686e400062a1ec07f8a91eec4e81362b1ac40afa83d7cff7d5665";
+    "9c2e36c758ed17b579dd6583e0e26f03996566a8ff46c4089a945608b20e3bcf";
 inline constexpr const char* kTypewriterHash =
     "4cde5008fd3dda76171123246b2bb43e3155c55407bdbcd0207c45d9b2eeaf02";
 inline constexpr const char* kWipeHash =
@@ -30,6 +30,6 @@ inline constexpr const char* kWipeHash =
 inline constexpr const char* kBounceHash =
     "3195fcaf0b054760bf0f7670160e169a1f0ce2be75974661bcb9cd269cefede9";
 inline constexpr const char* kSplashHash =
-    "cae51b9889c41aee6878419eef4896280c93b73430927a2239b556d1a5deafd0";
+    "53d8df6f6f870f56c241b77be1f1b82339a2f2800bab45f6da04764f5f2b6146";
 
 }  // namespace golden

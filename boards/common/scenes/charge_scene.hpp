@@ -29,15 +29,16 @@ class ChargeScene : public TextScene {
 
   void draw(const Paper& paper) const noexcept {
     using namespace motion;
-    // It begins full, and fills again after it was emptied. A breath is 2.5 s.
+    // It begins full, and fills again after it was emptied. It glows when it is
+    // full.
     const int32_t now = frame_ms(122, kLoopFrames / 2);
     const Q16_16 filled =
         Q16_16::from_raw(ease(kEaseInOut, fraction(0, 2400, now)).raw -
                          ease(kEaseInOut, fraction(4200, 4800, now)).raw);
     const int32_t level = lerp(0, most_, filled);
-    const uint32_t turn = frame() % 75 * 65536 / 75;
     const int32_t breath =
-        128 - cosine(Angle::from_raw(uint16_t(turn))).raw / 128;
+        128 + lerp(0, 128, ease(kEaseInOut, fraction(2000, 2700, now))) -
+        lerp(0, 128, ease(kEaseInOut, fraction(2900, 4200, now)));
     paper.fill(0x06100c);
     paper.fill(0x3c5a4c, body());
     paper.fill(0x3c5a4c, pole());
@@ -56,9 +57,15 @@ class ChargeScene : public TextScene {
       digits[i] = static_cast<char>(digits[i] + rest % 10);
     }
     const Text line = digits + (level < 10 ? 2 : level < 100 ? 1 : 0);
+    // The sign stands still.
+    Point at = centred(text());
+    at.x.raw +=
+        to_px(font(), style(),
+              measure(font(), text()).advance - measure(font(), line).advance)
+            .raw;
     painter(paper, mix_rgb(0x1c6a40, 0x9dffca, breath))
-        .text(font(), glow(), centred(line), line);
-    painter(paper, 0xf4fff8).text(font(), style(), centred(line), line);
+        .text(font(), glow(), at, line);
+    painter(paper, 0xf4fff8).text(font(), style(), at, line);
   }
 
  private:

@@ -12,7 +12,7 @@ class CountScene : public TextScene {
   static constexpr const char* kText = "1250";
 
   explicit CountScene(const SceneSetting& setting) noexcept
-      : TextScene(setting, setting.text, 200, 120),
+      : TextScene(setting, zeros(setting.text.size), 200, 120),
         counter_(font(), style(), origin(), static_cast<int32_t>(text().size)) {
   }
 
@@ -25,7 +25,8 @@ class CountScene : public TextScene {
     const int32_t now = time_of(frame % kFrames);
     const bool is_up = now < kBackMs;
     counter_.roll(is_up ? 0 : most_, is_up ? most_ : 0,
-                  {is_up ? 0 : kBackMs, is_up ? 2600 : 700});
+                  {is_up ? 0 : kBackMs, is_up ? 2600 : 800},
+                  is_up ? motion::kArrive : motion::kEaseInOut);
     const Rect rolls = counter_.at(now);
     next(frame, is_empty(rolls) ? rolls : bounding_box(counter_.box(), bar()));
   }
@@ -43,6 +44,11 @@ class CountScene : public TextScene {
  private:
   static constexpr uint32_t kFrames = 150;
   static constexpr int32_t kBackMs = 4100;
+
+  // As wide as the wheels.
+  static Text zeros(size_t digits) noexcept {
+    return {"000000000", digits < 9 ? digits : 9};
+  }
 
   // Below the number.
   Rect bar() const noexcept {

@@ -34,22 +34,21 @@ class LettersScene : public TextScene {
       take(hop(Q26_6::from_raw(size.raw / 2), 760).keys);
       where_.pivot_height = 0;
     } else if (kLetters == Letters::pulse) {
-      take(swell(Q26_6::from_raw(size.raw / 40), 800).keys);
+      take(swell(Q26_6::from_raw(size.raw / 52), 800).keys);
     } else {
-      // Gone: small, low and clear. The first letters are back before the last
-      // ones are gone.
+      // Gone: small, low and clear.
       Pose gone;
       gone.opacity = 0;
       gone.offset.y = Q26_6::from_raw(size.raw / 3);
       gone.scale_x = gone.scale_y = Scale::from_raw(2600);
       const PoseKey keys[] = {{0, Pose(), kLeave},
-                              {500, gone, {}},
-                              {560, gone, kOvershoot},
-                              {1160, Pose(), {}}};
+                              {400, gone, {}},
+                              {600, gone, kOvershoot},
+                              {1200, Pose(), {}}};
       take(keys);
     }
     motion_.timing = {0, time_of(kFrames), 0};
-    motion_.stagger = {90, kOrder, 0};
+    motion_.stagger = {kLetters == Letters::splash ? 45 : 90, kOrder, 0};
     where_.size = size;
     where_.origin = origin();
     INKCELL_TRY(lay_out(font(), text(), Anchor::left, glyphs_, run_));
@@ -83,7 +82,7 @@ class LettersScene : public TextScene {
   static constexpr uint32_t kFrames = kLoopFrames / 4;
   // All letters are in a later round: some at rest; of splash, on their way in.
   static constexpr int32_t kStartMs =
-      kLetters == Letters::splash ? 4 * time_of(kFrames) + 930 : 5000;
+      kLetters == Letters::splash ? 4 * time_of(kFrames) + 900 : 5000;
 
  private:
   void take(Span<const motion::PoseKey> keys) noexcept {

@@ -16,7 +16,7 @@ using namespace simulation;
 
 constexpr uint32_t kBackground = 0x0a0d18;
 constexpr uint32_t kInk = 0xf4f1e8;
-constexpr uint32_t kRing = 0x1d3a6e;
+constexpr uint32_t kRing = 0x2f5fb0;
 constexpr uint32_t kSlow = 0xe8b04a;
 constexpr uint32_t kFast = 0xff4f6d;
 constexpr uint32_t kFly = 0x58d5ff;
@@ -212,7 +212,7 @@ void ParticleScene::step() noexcept {
     static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
   }
   ParticleRules rules;
-  rules.walls = {1, 1, width_ - 1, height_ - 1};
+  rules.walls = {2, 2, width_ - 2, height_ - 2};
   if (phase > kBurst && phase < kGather) {
     rules.gravity_q10 = static_cast<int16_t>(230 * height_ / 240);
     rules.bounce_q8 = 140;
@@ -292,7 +292,8 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
   }
   const Style style(size_, kFilterArea);
   // It cools down while it appears, below its pieces.
-  const uint32_t glow = mix_rgb(kSlow, kInk, opacity);
+  const bool is_new = frame_ % kWordFrames >= kGather;
+  const uint32_t glow = is_new ? mix_rgb(kSlow, kInk, opacity) : kInk;
   Painter(paper.with(mix_rgb(kBackground, glow, opacity + 1)), workspace_)
       .text(font_, style, origin_, word_of(text_, word_));
 }
@@ -300,8 +301,9 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
 void ParticleScene::draw_particles(const Paper& paper) const noexcept {
   const int32_t hidden = word_opacity(frame_ % kWordFrames);
   const bool is_small = height_ < 120;
-  const int32_t piece_q6 = (is_small ? 52 : 84) - hidden * 16 / 255;
-  const Q26_6 radius = Q26_6::from_raw(piece_q6);
+  // They grow out of the word, and shrink into it.
+  const int32_t shown = 255 - hidden * hidden / 255;
+  const Q26_6 radius = Q26_6::from_raw((is_small ? 52 : 84) * shown / 255);
   for (size_t i = 0; i < pieces_.size && hidden < 255; ++i) {
     const Particle& p = pieces_[i];
     if (!is_near(p, paper.window)) {
@@ -310,11 +312,11 @@ void ParticleScene::draw_particles(const Paper& paper) const noexcept {
     const uint32_t glow = mix_rgb(kSlow, kFast, heat_of(p));
     draw_dot(p.x, p.y, radius, paper.with(mix_rgb(glow, kInk, hidden)));
   }
-  const int32_t shown = shown_at(frame_);
+  const int32_t flying = shown_at(frame_);
   const Q26_6 fly_radius =
-      Q26_6::from_raw((is_small ? 48 : kFlyRadiusQ6) * shown / 256);
+      Q26_6::from_raw((is_small ? 48 : kFlyRadiusQ6) * flying / 256);
   for (const Particle& fly : flies_) {
-    if (shown != 0 && is_near(fly, paper.window)) {
+    if (flying != 0 && is_near(fly, paper.window)) {
       draw_dot(fly.x, fly.y, fly_radius, paper.with(kFly));
     }
   }

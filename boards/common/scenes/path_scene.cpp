@@ -56,7 +56,7 @@ Q16_16 bold_at(size_t index, int32_t time_ms) {
 
 // How far edges move outwards at a weight. [px, Q10]
 int32_t reach_q10(Q26_6 size, Q16_16 bold) {
-  return scaled(size.raw * 16 / 36, bold);
+  return scaled(size.raw * 16 / 52, bold);
 }
 
 }  // namespace
@@ -69,6 +69,7 @@ PathScene::PathScene(const SceneSetting& setting) noexcept
 Status PathScene::open() noexcept {
   INKCELL_TRY(lay_out(font_, text_, Anchor::centre, glyphs_, run_));
   on_path_.size = size_for(font_, text_, width_, height_);
+  on_path_.tracking.raw = on_path_.size.raw / 32;  // for valleys
   renderer_.set_size(on_path_.size);
   set_frame(0);
   return Status::ok;
@@ -83,7 +84,7 @@ void PathScene::make_wave(int32_t time_ms) noexcept {
   const Q16_16 calmed =
       ease(kEaseInOut, fraction(kCalmMs - 1200, kCalmMs, time_ms));
   const int32_t swing_q6 =
-      scaled(height_ * 64 * 5 / 16, Q16_16::from_raw(grown.raw - calmed.raw));
+      scaled(height_ * 64 * 9 / 32, Q16_16::from_raw(grown.raw - calmed.raw));
   const auto phase = static_cast<uint16_t>(int64_t{since < 0 ? 0 : since} *
                                            65536 / kWavePeriodMs);
   const auto lift = [&](int32_t ahead) {
@@ -137,7 +138,7 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   pose.angle.raw = static_cast<uint16_t>(
       (index & 1) != 0 ? scaled(7000, gone) : -scaled(7000, gone));
   pose.opacity = static_cast<uint8_t>(
-      255 - scaled(255, fraction(kStaysMs + kLeavingMs * 3 / 4,
+      255 - scaled(255, fraction(kStaysMs + kLeavingMs / 2,
                                  kStaysMs + kLeavingMs, since)));
   return pose;
 }

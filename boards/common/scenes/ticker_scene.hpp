@@ -11,10 +11,10 @@ namespace inkcell::scenes {
 class TickerScene : public TextScene {
  public:
   static constexpr const char* kText =
-      "Oslo 4 - Rome 18 - Quito 11 - Perth 24 -";
+      "Oslo 4   Rome 18   Quito 11   Perth 24  ";
 
   explicit TickerScene(const SceneSetting& setting) noexcept
-      : TextScene(setting, "Oslo 4", 240, 80) {}
+      : TextScene(setting, "Oslo 4", 190, 64) {}
 
   /// bad_argument: no ink. buffer_small: over 64 letters.
   Status open() noexcept {
