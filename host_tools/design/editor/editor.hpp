@@ -151,6 +151,7 @@ class Editor {
   void propose(Value command);
   /// Runs the proposal, if there is one.
   void commit();
+  /// Both show a glyph that changed, if it was not on the screen.
   bool undo();
   bool redo();
   /// Takes back the last change of the shown glyph alone, or such an undo.
@@ -202,6 +203,7 @@ class Editor {
   std::string usual_text() const;
   void ask_before_loss(const Value& command, const Change& change);
   void follow_change();
+  void show_step(const char* done, const Step& step);
   void drop_lost_selection();
 
   std::unique_ptr<Session> session_;

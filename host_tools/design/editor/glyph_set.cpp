@@ -46,10 +46,13 @@ Value add_glyphs(const Project& project, const std::string& text) {
   std::vector<Value> commands;
   const auto add = [&](const std::string& name, double part) {
     if (project.find(name) == nullptr) {
-      commands.push_back(
-          {{"do", "add_glyph"},
-           {"glyph", name},
-           {"width", std::round(part * project.units_per_em())}});
+      for (const Layer& master : project.layers) {
+        commands.push_back(
+            {{"do", "add_glyph"},
+             {"glyph", name},
+             {"layer", master.name},
+             {"width", std::round(part * project.units_per_em())}});
+      }
       order.push_back(name);
     }
   };

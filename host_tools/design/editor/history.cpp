@@ -1,14 +1,29 @@
 // Undo, redo and the history, which say what they took back.
 #include "editor/editor.hpp"
 
+#include <algorithm>
+
 namespace inkcell::design::editor {
+
+// After undo or redo: the glyph that changed, so that nothing changes unseen.
+void Editor::show_step(const char* done, const Step& step) {
+  follow_change();
+  const std::vector<GlyphChange>& glyphs = step.change.glyphs;
+  const bool is_shown = std::any_of(
+      glyphs.begin(), glyphs.end(),
+      [this](const GlyphChange& glyph) { return glyph.name == glyph_; });
+  if (!is_shown && !glyphs.empty() &&
+      project().find(glyphs.front().name) != nullptr) {
+    show(glyphs.front().name);
+  }
+  message = {done + step.title};
+}
 
 bool Editor::undo() {
   tool_->cancel(*this);
   const bool done = session_->undo();
-  follow_change();
   if (done) {
-    message = {"Undone: " + session_->history()[session_->done()].title};
+    show_step("Undone: ", session_->history()[session_->done()]);
   }
   return done;
 }
@@ -16,9 +31,8 @@ bool Editor::undo() {
 bool Editor::redo() {
   tool_->cancel(*this);
   const bool done = session_->redo();
-  follow_change();
   if (done) {
-    message = {"Redone: " + session_->history()[session_->done() - 1].title};
+    show_step("Redone: ", session_->history()[session_->done() - 1]);
   }
   return done;
 }

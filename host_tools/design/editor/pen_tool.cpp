@@ -33,7 +33,7 @@ class PenTool : public Tool {
     if (!draws(*glyph)) {
       contour_.reset();
       leaving_.reset();
-      if (continues(*glyph, pointer) || adds_point(editor, pointer)) {
+      if (continues(editor, pointer) || adds_point(editor, pointer)) {
         is_pressed_ = false;
         return;
       }
@@ -66,8 +66,7 @@ class PenTool : public Tool {
       return;
     }
     is_pressed_ = false;
-    const size_t count =
-        own_contours(*editor.stored());
+    const size_t count = own_contours(*editor.stored());
     editor.commit();
     if (is_closing_) {
       contour_.reset();
@@ -111,16 +110,21 @@ class PenTool : public Tool {
            glyph.contours[*contour_].open();
   }
 
-  // Whether the pointer continues an open contour at its end.
-  bool continues(const Glyph& glyph, const Pointer& pointer) {
-    for (size_t i = 0; i < glyph.contours.size(); ++i) {
+  // Whether the pointer continues an open contour, at its end or its start.
+  bool continues(Editor& editor, const Pointer& pointer) {
+    const Glyph& glyph = *editor.glyph();
+    for (size_t i = 0; i < glyph.contours.size() && !contour_; ++i) {
+      const std::vector<GlyphPoint>& points = glyph.contours[i].points;
+      const bool is_end = is_near(points.back(), pointer);
       if (glyph.contours[i].open() &&
-          is_near(glyph.contours[i].points.back(), pointer)) {
+          (is_end || is_near(points.front(), pointer))) {
         contour_ = i;
-        return true;
+        if (!is_end) {
+          editor.run({{"do", "reverse_contour"}, {"contour", i}});
+        }
       }
     }
-    return false;
+    return contour_.has_value();
   }
 
   static bool adds_point(Editor& editor, const Pointer& pointer) {

@@ -33,6 +33,18 @@ Project master_of(const Project& project, size_t layer) {
   return master;
 }
 
+void check_difference(const Project& project, size_t layer) {
+  for (const auto& [name, glyph] : project.layers[layer].glyphs) {
+    const GlyphPointer other = project.find(name);
+    if (layer == 0 || other == nullptr || !(*glyph == *other)) {
+      return;
+    }
+  }
+  throw Error("the master " + master_name(project, layer) + " is the same as " +
+              master_name(project, 0) +
+              ": nothing would vary; change it, or leave it out of the axis");
+}
+
 void check_correspondence(const Project& project, size_t layer) {
   for (const auto& [name, glyph] : project.layers[layer].glyphs) {
     const GlyphPointer other = project.find(name);
@@ -88,6 +100,7 @@ void write_designspace(const Project& project, const fs::path& file) {
   add_axes(root, axes);
   pugi::xml_node sources = root.append_child("sources");
   for (const Axes::Master& master : axes.masters) {
+    check_difference(project, master.layer);
     check_correspondence(project, master.layer);
     const std::string style = style_of(project, master.layer);
     const fs::path folder = file.stem().string() + "-" + style + ".ufo";

@@ -106,6 +106,12 @@ class TtfWriter {
         if (is_undrawn(glyph)) {
           ++report_.undrawn;
         }
+        if (std::any_of(glyph.contours.begin(), glyph.contours.end(),
+                        [](const PointContour& one) {
+                          return one.open() && one.points.size() > 1;
+                        })) {
+          report_.open.push_back(glyph_name);
+        }
         add_glyph(glyph);
       } else {
         report_.left_out.push_back(glyph_name);
@@ -416,10 +422,21 @@ class TtfWriter {
   std::map<std::string, BigEndian> tables_;
 };
 
+// "a, b, c, d, e and 3 more"
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr size_t kMost = 5;
+  std::string list;
+  for (size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  return names.size() <= kMost
+             ? list
+             : list + " and " + std::to_string(names.size() - kMost) + " more";
+}
+
 }  // namespace
 
 std::string TtfReport::text() const {
-  constexpr size_t kMostNames = 5;
   std::string result =
       std::to_string(glyphs) + (glyphs == 1 ? " glyph" : " glyphs");
   if (undrawn != 0) {
@@ -429,19 +446,19 @@ std::string TtfReport::text() const {
     result += ", " + std::to_string(kerned_pairs) + " pairs of kerning";
   }
   std::string missing;
-  for (size_t i = 0; i < std::min(left_out.size(), kMostNames); ++i) {
-    missing += (i == 0 ? "" : ", ") + left_out[i];
+  const auto add = [&missing](const std::string& what) {
+    missing += (missing.empty() ? "; left out: " : "; ") + what;
+  };
+  if (!left_out.empty()) {
+    add("glyphs without a code point: " + list_of(left_out));
   }
-  if (left_out.size() > kMostNames) {
-    missing += " and " + std::to_string(left_out.size() - kMostNames) + " more";
-  }
-  if (!missing.empty()) {
-    missing = "glyphs without a code point: " + missing;
+  if (!open.empty()) {
+    add("open contours of " + list_of(open));
   }
   if (has_features) {
-    missing += (missing.empty() ? "" : "; ") + std::string("features.fea");
+    add("features.fea");
   }
-  return result + (missing.empty() ? "" : "; left out: " + missing);
+  return result + missing;
 }
 
 std::vector<uint8_t> write_ttf(const Project& project, TtfReport* report) {

@@ -15,6 +15,7 @@ struct TtfReport {
   size_t undrawn = 0;  // of them, spaces apart
   size_t kerned_pairs = 0;
   std::vector<std::string> left_out;  // glyphs
+  std::vector<std::string> open;      // glyphs with contours that are open
   bool has_features = false;          // features.fea, which is left out
 
   /// "95 glyphs, 3 of them empty, 1204 pairs of kerning; left out: ..."

@@ -162,6 +162,9 @@ Change rename_glyph(const Project& project, const Arguments& arguments) {
 
 Change set_advance(const Project& project, const Arguments& arguments) {
   const double width = arguments.number("width");
+  if (width < 0) {
+    arguments.refuse("the advance would be below 0");
+  }
   return edited(project, arguments,
                 [width](Glyph& glyph) { glyph.width = width; });
 }

@@ -60,6 +60,17 @@ def check_points(editor):
     contour, = drawn["contours"]
     expect([point[2] for point in contour].count("curve") == 2 and
            area(contour) < 0, f"pen: {contour}")
+    # It goes on at the start of an open contour, too.
+    drawn, = editor.run("open P.ufo", "glyph O", "key ctrl+a", "key delete",
+                        "tool Pen", "press 100 0", "release 100 0",
+                        "press 100 600", "release 100 600", "key escape",
+                        "press 100 0", "release 100 0", "press 400 0",
+                        "release 400 0", "export O.ttf", "print")
+    contour, = drawn["contours"]
+    expect([point[:2] for point in contour] ==
+           [[100, 600], [100, 0], [400, 0]], f"pen at a start: {contour}")
+    expect("left out: open contours of O" in drawn["message"],
+           drawn["message"])
 
 
 def check_tools(editor):
@@ -255,8 +266,13 @@ def check_history(editor):
     expect(back["message"] == "Redone: Add contour of H" and
            back["contours"] == first["contours"], "redo by glyph")
     expect("nothing to undo in n" in none["message"], none["message"])
-    other, = editor.run("open U.ufo", "glyph a", "key ctrl+z", "print")
-    expect(other["message"].startswith("Undone: "), other["message"])
+    # Undo of all shows the glyph that it changes.
+    other, same = editor.run("open U.ufo", "glyph n", "key ctrl+z", "print",
+                             "key ctrl+y", "print")
+    expect(other["message"].startswith("Undone: ") and other["glyph"] == "H",
+           f"{other['message']}, shown is {other['glyph']}")
+    expect(same["message"].startswith("Redone: ") and same["glyph"] == "H",
+           same["message"])
     # 'Hano2!' is characters; the preview's text is kept with the project.
     names = plistlib.loads((editor.folder / "U.ufo/lib.plist").read_bytes())
     expect(set(names["public.glyphOrder"]) == {"H", "a", "n", "o", "two",
@@ -446,7 +462,7 @@ def check_clipboard(editor):
     expect(twice["selected"] == len(old), "the duplicate is not selected")
     expect(pasted["contours"][-1] == old and not gone["contours"],
            f"paste: {pasted['contours'][-1]}, left {gone['contours']}")
-    part, = editor.run("open P.ufo", "key ctrl+z", "glyph a", "key ctrl+z",
+    part, = editor.run("open P.ufo", "key ctrl+z", "key ctrl+z", "glyph a",
                        "select 3 6", "key ctrl+c", "key ctrl+v", "print",
                        "key ctrl+z")
     contour = part["contours"][-1]

@@ -50,6 +50,15 @@ def check_edits(editor):
     exported, = editor.run("open M.ufo", "master Bold", "export M.ttf",
                            "open M.ttf R.ufo", "glyph n", "print")
     expect(right_edge(exported) == 140, "an export has the default master")
+    # New glyphs are in all masters, and one that varies nothing is refused.
+    added, refused = editor.run(
+        "open M.ufo", "add e", "glyph e", "master Bold", "print",
+        "add_master Same", 'do {"do": "set_axes", "axes": [{"tag": "wght", '
+        '"name": "Weight"}], "masters": {"public.default": {"wght": 400}, '
+        '"Same": {"wght": 700}}}', "try export M.designspace", "print")
+    expect(added["glyph"] == "e" and added["master"] == "Bold", added["master"])
+    expect("the master Same is the same as Default" in refused["message"],
+           refused["message"])
 
 
 def check_mismatches(editor):

@@ -58,6 +58,8 @@ TEST_F(Commands, NameWhatIsWrongAndWhatIsAllowed) {
   add_square();
   EXPECT_EQ(refusal_of(R"({"do": "fly"})").substr(0, 34),
             "command 'fly': is not known; there");
+  EXPECT_EQ(refusal_of(R"({"do": "set_advance", "glyph": "a", "width": -1})"),
+            "command 'set_advance', glyph 'a': the advance would be below 0");
   EXPECT_EQ(refusal_of(R"({"do": "set_advance", "glyph": "a"})"),
             "command 'set_advance', glyph 'a': \"width\" is missing");
   EXPECT_EQ(refusal_of(R"({"do": "set_advance", "glyph": "b", "width": 1})"),
