@@ -88,15 +88,14 @@ class Weight {
     std::vector<PointContour> after = moved_contours();
     for (int round = 0; round < kRounds; ++round) {
       const gen::Shape shape(outline_of(after));
-      hold_heights(shape.box());
-      hold_counters(shape, round == 0);
       for (size_t c = 0; c < pieces_.size(); ++c) {
         correct(c, pieces_of(after[c]), shape);
       }
+      const gen::Shape now(outline_of(moved_contours()));
+      hold_heights(now.box());
+      hold_counters(now, round == 0);
       after = moved_contours();
     }
-    hold_heights(gen::Shape(outline_of(after)).box());
-    after = moved_contours();
     const double dx = shape_.box().x0 - gen::Shape(outline_of(after)).box().x0;
     for (PointContour& contour : after) {
       for (GlyphPoint& point : contour.points) {
@@ -159,16 +158,18 @@ class Weight {
 
   // The part of counters between slanted stems that stays.
   void hold_counters(const gen::Shape& shape, bool is_first) {
-    constexpr double kMore = 1.5;
     std::vector<double> row;
     for (SlantedCounter& counter : counters_) {
       shape.crossings(counter.y, row);
-      if (counter.end + 1 < row.size()) {
-        const double now = row[counter.end + 1] - row[counter.end];
+      const auto right = std::upper_bound(
+          row.begin(), row.end(), counter.middle + goes_.at(counter.middle));
+      if (right != row.begin() && right != row.end() &&
+          (right - row.begin()) % 2 == 0) {
+        const double now = *right - *(right - 1);
         if (is_first) {
           counter.width -= change_.squeeze * (counter.width - now);
         }
-        goes_.raise(counter.from, kMore * (counter.width - now), true);
+        goes_.raise(counter.middle, counter.width - now, true);
       }
     }
   }

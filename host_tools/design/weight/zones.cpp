@@ -92,15 +92,17 @@ void add_counter(const gen::Box& box,
                  size_t end,
                  std::vector<SlantedCounter>& counters) {
   using Place = std::pair<size_t, size_t>;  // a row, and a number in it
+  // The ends of ink left of the counter and right of it, from left to right.
   const auto at = [&rows](const Place& place, size_t i) {
-    return rows[place.first][place.second + i];
+    return rows[place.first][place.second - 1 + i];
   };
   std::vector<Place> places = {{row, end}};
   for (const size_t step : {size_t{1}, ~size_t{0}}) {  // upwards, downwards
     Place last = places.front();
     Place next = {row + step, 1};
     while (next.first < kRows && next.second + 1 < rows[next.first].size()) {
-      if (at(next, 0) < at(last, 1) && at(last, 0) < at(next, 1)) {
+      if (at(last, 0) < at(next, 1) && at(next, 1) < at(last, 2) &&
+          at(last, 1) < at(next, 2) && at(next, 2) < at(last, 3)) {
         places.push_back(next);
         last = next;
         next = {next.first + step, 1};
@@ -113,15 +115,15 @@ void add_counter(const gen::Box& box,
   const Place& low = places.front();
   const Place& high = places.back();
   const Place& middle = places[places.size() / 2];
-  const double left = at(high, 0) - at(low, 0);
-  const double right = at(high, 1) - at(low, 1);
+  const double left = at(high, 1) - at(low, 1);
+  const double right = at(high, 2) - at(low, 2);
   const double height =
       place_of_row(box, high.first) - place_of_row(box, low.first);
   if (height > kCounterPart * (box.y1 - box.y0) && left * right < 0 &&
       std::min(std::abs(left), std::abs(right)) > kSlant * height) {
-    counters.push_back({(rows[row][end] + rows[row][end + 1]) / 2,
-                        place_of_row(box, middle.first), middle.second,
-                        at(middle, 1) - at(middle, 0)});
+    counters.push_back({(at(middle, 1) + at(middle, 2)) / 2,
+                        place_of_row(box, middle.first),
+                        at(middle, 2) - at(middle, 1)});
   }
 }
 

@@ -67,10 +67,9 @@ Shift shift_of_heights(const std::vector<LevelEdge>& edges,
 /// White between stems that meet, as in v: how wide it is between its ends
 /// depends on how thick they are. [u]
 struct SlantedCounter {
-  double from = 0;   // a place in it, left of what moves with its right stem
-  double y = 0;      // where it is measured, halfway up
-  size_t end = 0;    // of the ends of ink there: that on its left
-  double width = 0;  // there
+  double middle = 0;  // between what moves with its left and right stem
+  double y = 0;       // where it is measured, halfway up
+  double width = 0;   // there
 };
 
 /// How stems move, and the counters that this does not keep.
