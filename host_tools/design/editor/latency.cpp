@@ -68,24 +68,20 @@ Value stroke_command(const Editor& editor, int points) {
 }
 
 // What is seen while the first knot moves, and while its nib turns and widens.
-void measure_knots(Editor& editor,
+template <typename Show>
+void measure_knots(const Glyph& glyph,
                    int runs,
-                   const Preview& first,
+                   const Show& show,
                    Latencies& result) {
-  const GlyphPointer glyph = editor.stored();
-  const Nib nib = nibs_of(strokes_of(*glyph).at(0)).at(0);
-  const auto show = [&](const Value& command) {
-    editor.propose(command);
-    draw_exact_preview(first, editor.preview_job());
-  };
+  const Nib nib = nibs_of(strokes_of(glyph).at(0)).at(0);
   result.knot = time_of(runs, [&](int i) {
-    show(move_knots(*glyph, {{0, 0}}, i + 1, 0));
+    show(move_knots(glyph, {{0, 0}}, i + 1, 0));
   });
   result.nib = time_of(runs, [&](int i) {
     Nib turned = nib;
     turned.width += i + 1;
     turned.angle += gen::kDegree * (i + 1);
-    show(set_nib(*glyph, {0, 0}, turned));
+    show(set_nib(glyph, {0, 0}, turned));
   });
 }
 
@@ -105,12 +101,16 @@ Latencies measure_latencies(Editor& editor, int runs) {
   }
   gen::BuiltGlyphs glyphs;  // as in the window's worker
   const Preview first = device_preview(editor, glyphs);
-  const auto drag = [&editor](int step) {
-    editor.propose(
-        {{"do", "move_points"},
-         {"points", Value::array({Value::array({size_t{0}, size_t{0}})})},
-         {"dx", step + 1},
-         {"dy", 0}});
+  const auto show = [&](const Value& command) {
+    editor.propose(command);
+    draw_exact_preview(first, editor.preview_job());
+  };
+  const auto drag = [](int step) {
+    return Value{
+        {"do", "move_points"},
+        {"points", Value::array({Value::array({size_t{0}, size_t{0}})})},
+        {"dx", step + 1},
+        {"dy", 0}};
   };
   const auto shape = [&editor] {
     return gen::Shape(outline_of(editor.shown_project(), *editor.glyph()));
@@ -121,12 +121,11 @@ Latencies measure_latencies(Editor& editor, int runs) {
                         : *std::max_element(sizes.begin(), sizes.end());
   Latencies result;
   result.drag = time_of(runs, [&](int i) {
-    drag(i);
-    draw_exact_preview(first, editor.preview_job());
+    show(drag(i));
     distances(shape(), px);
   });
   result.device = time_of(runs, [&](int i) {
-    drag(i);
+    editor.propose(drag(i));
     device_preview(editor, glyphs);
   });
   result.stroke = time_of(runs, [&](int i) {
@@ -137,22 +136,16 @@ Latencies measure_latencies(Editor& editor, int runs) {
     draw_exact_preview(first, editor.preview_job());
   });
   result.weight = time_of(runs, [&](int i) {
-    editor.propose({{"do", "change_weight"}, {"by", 1 + i % 40}});
-    draw_exact_preview(first, editor.preview_job());
+    show({{"do", "change_weight"}, {"by", 1 + i % 40}});
   });
   const GlyphPointer glyph = editor.stored();
   if (has_strokes(*glyph)) {
-    measure_knots(editor, runs, first, result);
+    measure_knots(*glyph, runs, show, result);
   }
   if (has_source(*glyph)) {
-    result.to_outline = time_of(runs, [&](int) {
-      editor.propose(batch(without_source(*glyph)));
-      draw_exact_preview(first, editor.preview_job());
-    });
-    result.back = time_of(runs, [&](int) {
-      editor.propose(nullptr);
-      draw_exact_preview(first, editor.preview_job());
-    });
+    result.to_outline =
+        time_of(runs, [&](int) { show(batch(without_source(*glyph))); });
+    result.back = time_of(runs, [&](int) { show(nullptr); });
   }
   editor.propose(nullptr);
   return result;

@@ -227,7 +227,7 @@ void print_latencies(const Line& line) {
 struct Command {
   ScriptCommand text;
   Handler handler;
-  bool needs_glyph;
+  bool needs_glyph = true;
 };
 
 const std::vector<Command>& command_list() {
@@ -245,63 +245,46 @@ const std::vector<Command>& command_list() {
       {{"add", "GLYPHS", "add glyphs: A-Z,U+B0 or a name, _stem"},
        [](const Line& l) {
          l.editor.run(add_glyphs(l.editor.project(), l.rest));
-       },
-       true},
+       }},
       {{"save_as", "P.ufo", "save as another project"},
-       [](const Line& l) { l.editor.save_as(word(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.save_as(word(l, 0)); }},
       {{"add_master", "NAME", "save the project with another master"},
-       [](const Line& l) { l.editor.add_master(l.rest); },
-       true},
+       [](const Line& l) { l.editor.add_master(l.rest); }},
       {{"bold_master", "UNITS NAME",
         "the same, with stems that are wider by so many units"},
-       [](const Line& l) { l.editor.add_master(word(l, 1), number(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.add_master(word(l, 1), number(l, 0)); }},
       {{"master", "NAME", "edit a master, by the name of its layer"},
-       choose_master,
-       true},
+       choose_master},
       {{"between", "PART", "show the glyph between the masters, 0 to 1"},
-       [](const Line& l) { l.editor.part_between = number(l, 0); },
-       true},
+       [](const Line& l) { l.editor.part_between = number(l, 0); }},
       {{"glyph", "NAME", "show a glyph, by its name or character"},
        [](const Line& l) { l.editor.show(word(l, 0)); },
        false},
       {{"select", "POINT...", "select points, counted through all contours"},
-       select,
-       true},
+       select},
       {{"drag", "POINT DX DY [shift]", "drag a point, which does not snap"},
-       drag,
-       true},
+       drag},
       {{"key", "KEY", "press a key: ctrl+z, shift+left, delete, v"},
        [](const Line& l) {
          if (!press_key(l.editor, word(l, 0))) {
            throw Error("key '" + l.words[0] + "' does nothing");
          }
-       },
-       true},
+       }},
       {{"action", "NAME", "carry out an item of the menus: Unite"},
-       [](const Line& l) { action(l.rest).run(l.editor); },
-       true},
-      {{"tool", "NAME", "choose a tool, as the window names it"},
-       set_tool,
-       true},
+       [](const Line& l) { action(l.rest).run(l.editor); }},
+      {{"tool", "NAME", "choose a tool, as the window names it"}, set_tool},
       {{"press", "X Y [shift] [alt] [twice]",
         "press the pointer, in font units"},
-       [](const Line& l) { l.editor.tool().press(l.editor, pointer(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.tool().press(l.editor, pointer(l, 0)); }},
       {{"move", "X Y [shift] [free]", "move the pressed pointer"},
-       [](const Line& l) { l.editor.tool().drag(l.editor, pointer(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.tool().drag(l.editor, pointer(l, 0)); }},
       {{"release", "X Y",
         "release the pointer; it is where the last move put it"},
-       [](const Line& l) { l.editor.tool().release(l.editor, pointer(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.tool().release(l.editor, pointer(l, 0)); }},
       {{"hover", "X Y", "move the pointer that is not pressed"},
-       [](const Line& l) { pointer(l, 0); },
-       true},
+       [](const Line& l) { pointer(l, 0); }},
       {{"nib", "ellipse:W,H,ANGLE", "choose the nib of the Stroke tool"},
-       set_nib,
-       true},
+       set_nib},
       {{"try", "LINE", "carry out a line; what is wrong becomes the message"},
        try_line,
        false},
@@ -312,8 +295,7 @@ const std::vector<Command>& command_list() {
            throw Error("a command is a JSON object");
          }
          l.editor.run(command);
-       },
-       true},
+       }},
       {{"lua", "FILE.lua [NAME=NUMBER]...", "carry out a program in Lua"},
        [](const Line& l) {
          ScriptOptions options;
@@ -322,41 +304,32 @@ const std::vector<Command>& command_list() {
          }
          l.editor.run(
              run_lua(l.editor.project(), word(l, 0), options.settings).command);
-       },
-       true},
+       }},
       {{"background", "FILE.png", "put a picture behind the glyph"},
        [](const Line& l) {
          l.editor.run(image_command(l.editor.project(), word(l, 0)));
-       },
-       true},
+       }},
       {{"preview", "PX DISPLAY [light|dark]",
         "choose the size of the glyph's preview, and the display"},
-       set_preview,
-       true},
-      {{"sizes", "PX...", "choose the sizes of the preview's text"},
-       set_sizes,
-       true},
+       set_preview},
+      {{"sizes", "PX...", "choose the sizes of the preview's text"}, set_sizes},
       {{"text", "TEXT", "choose the preview's text"},
-       [](const Line& l) { l.editor.preview.text = l.rest; },
-       true},
-      {{"cells", "on|off", "show the cells of the quadtree"}, set_cells, true},
+       [](const Line& l) { l.editor.preview.text = l.rest; }},
+      {{"cells", "on|off", "show the cells of the quadtree"}, set_cells},
       {{"save_preview", "FILE.png|FILE.bin",
         "write the text as the display shows it, in the first of its sizes, or "
         "its font"},
-       save_preview,
-       true},
-      {{"print", "", "print the glyph and its figures as JSON"}, print, true},
+       save_preview},
+      {{"print", "", "print the glyph and its figures as JSON"}, print},
       {{"latency", "RUNS",
         "print how long a drag, the device's preview and a stroke take"},
-       print_latencies,
-       true},
+       print_latencies},
       {{"screenshot", "FILE.png", "write a picture of the window"},
        [](const Line& l) { l.screenshot(l.editor, word(l, 0)); },
        false},
-      {{"save", "[COPY.ufo]", "save the project, or a copy of it"}, save, true},
+      {{"save", "[COPY.ufo]", "save the project, or a copy of it"}, save},
       {{"export", "FILE.ttf|FILE.bin|FILE.ufo", "write the font"},
-       [](const Line& l) { l.editor.export_to(word(l, 0)); },
-       true},
+       [](const Line& l) { l.editor.export_to(word(l, 0)); }},
   };
   return list;
 }
