@@ -38,15 +38,25 @@ WEIGHTS = 400, 500, 700
 
 
 class PickedLetters(Letters):
-    """Parts are chosen by their pictures."""
+    """Parts are chosen by their pictures, which empty glyphs do not have."""
+
+    def __init__(self, font):
+        super().__init__(font)
+        self.drawn = set()
+
+    def draw(self, tool, *places):
+        super().draw(tool, *places)
+        self.drawn.add(self.shown)
 
     def add_part(self, base):
         x, y = PICTURE
+        shown = [c for c in self.CHARS.split(",") if c in self.drawn]
         self.add(f"{self.shown}: part {base}",
                  [f'do {{"do": "add_component", "base": "{base}"}}'],
                  ("key", "ctrl+shift+c"),
-                 ("mousemove", x + PICTURES * self.CHARS.split(",").index(base),
-                  y), ("click", 1), ("mousemove", *REST))
+                 ("mousemove", x + PICTURES * shown.index(base), y),
+                 ("click", 1), ("mousemove", *REST))
+        self.drawn.add(self.shown)
 
 
 def run(*arguments, cwd):

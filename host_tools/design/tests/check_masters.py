@@ -10,6 +10,10 @@ NEW = ("new M.ufo n,o,v Untitled 1000 800 -200 500 700", "glyph n",
        "tool Rectangle", "press 60 0", "move 140 500", "release 140 500",
        "tool Select", "sizes 24")
 
+FIRST_CELL = 67, 88  # the picture of the first glyph in the grid [px]
+CELL = 40
+CELLS = 49           # from one to the next one
+
 
 def right_edge(report):
     return max(point[0] for point in report["contours"][0])
@@ -80,6 +84,21 @@ def check_mismatches(editor):
            f"contours: {more['mismatches']}")
 
 
+def check_thumbnails(editor):
+    """Pictures of composites show the parts of the shown master."""
+    editor.run("new T.ufo i,l,x Untitled 1000 800 -200 500 700", "glyph l",
+               "tool Rectangle", "press 60 0", "move 140 500",
+               "release 140 500", "glyph i",
+               'do {"do": "add_component", "base": "l"}', "add_master Bold",
+               "glyph l", "drag 1 300 0", "drag 2 300 0", "save")
+    editor.run("open T.ufo", "glyph x", "master Bold", "screenshot t.ppm")
+    rows = (editor.folder / "t.ppm").read_bytes().split(b"\n", 3)[3]
+    i, l = ([rows[3 * (1440 * y + x):3 * (1440 * y + x + CELL)]
+             for y in range(FIRST_CELL[1], FIRST_CELL[1] + CELL)]
+            for x in (FIRST_CELL[0], FIRST_CELL[0] + CELLS))
+    expect(i == l and len(set(i)) > 1, "the picture of i is not that of its part")
+
+
 def check_field(editor):
     """Curves of the field begin where the contours did, and still correspond if
     they have as many points."""
@@ -106,4 +125,5 @@ def check_between(editor):
     expect(quarter == same != other, "a preview between masters")
 
 
-run_checks(check_edits, check_mismatches, check_field, check_between)
+run_checks(check_edits, check_mismatches, check_thumbnails, check_field,
+           check_between)

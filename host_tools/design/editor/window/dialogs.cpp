@@ -184,7 +184,7 @@ const std::vector<Dialog>& dialog_list() {
        [](Panels& panels, const Values& values) {
          Editor& editor = panels.editor;
          const std::vector<std::string> found =
-             found_glyphs(editor.project(), values[0]);
+             found_glyphs(editor.project(), values[0], true);
          const std::string base =
              values[0].empty() || found.empty() ? values[0] : found.front();
          editor.run(has_tree(*editor.glyph())

@@ -63,7 +63,7 @@ bool draw_cell(Panels& panels, const std::string& name, bool is_chosen) {
   if (texture == nullptr && ImGui::IsItemVisible()) {
     texture = panels.textures.of(
         glyph, glyph.get(),
-        thumbnail(editor.project(), *glyph, static_cast<int>(side)));
+        thumbnail(editor.shown_project(), *glyph, static_cast<int>(side)));
   }
   if (texture != nullptr) {
     list.AddImage(texture, at, {at.x + side, at.y + side}, {0, 0}, {1, 1},
@@ -147,12 +147,16 @@ std::string draw_cells(Panels& panels,
 }  // namespace
 
 std::vector<std::string> found_glyphs(const Project& project,
-                                      const std::string& text) {
+                                      const std::string& text,
+                                      bool is_part) {
   std::vector<std::string> order = glyph_order(project);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                             [&](const std::string& name) {
-                               return !matches(*project.find(name), text);
-                             }),
+  const auto is_left_out = [&](const std::string& name) {
+    const Glyph& glyph = *project.find(name);
+    return !matches(glyph, text) ||
+           (is_part && !is_exact(glyph, text) && glyph.contours.empty() &&
+            glyph.components.empty());
+  };
+  order.erase(std::remove_if(order.begin(), order.end(), is_left_out),
               order.end());
   std::stable_partition(order.begin(), order.end(),
                         [&](const std::string& name) {
@@ -200,7 +204,7 @@ void draw_glyph_grid(Panels& panels) {
 
 std::string draw_picker(Panels& panels, const std::string& text) {
   const std::vector<std::string> order =
-      found_glyphs(panels.editor.project(), text);
+      found_glyphs(panels.editor.project(), text, true);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
   ImGui::BeginChild("picker", {px(520), 4 * row_height()}, true);
   const std::string clicked = draw_cells(

@@ -93,9 +93,11 @@ void draw_window(Panels& panels);
 void draw_menu(Panels& panels);
 void draw_toolbar(Panels& panels);
 void draw_glyph_grid(Panels& panels);
-/// The glyphs whose name or character has `text`, exact ones first.
+/// The glyphs whose name or character has `text`, exact ones first; those that
+/// can be a part have ink, or are exact.
 std::vector<std::string> found_glyphs(const Project& project,
-                                      const std::string& text);
+                                      const std::string& text,
+                                      bool is_part = false);
 /// Pictures of the glyphs that found_glyphs() returns, the first one marked.
 /// Returns the name of one that is clicked; else nothing.
 std::string draw_picker(Panels& panels, const std::string& text);
