@@ -139,6 +139,9 @@ class Editor {
   /// default one, which is edited from now on; with stems that are wider by
   /// `bolder` (change_weight). [font units] Throws Error.
   void add_master(const std::string& name, double bolder = 0);
+  /// Saves the project without a master other than the default one, and without
+  /// its axes. Throws Error.
+  void remove_master(const std::string& name);
   /// The glyph at `part_between`; nothing at 0, and if the masters do not
   /// correspond.
   std::optional<Glyph> glyph_between() const;
@@ -203,6 +206,7 @@ class Editor {
   std::string usual_text() const;
   void ask_before_loss(const Value& command, const Change& change);
   void follow_change();
+  void write_layers(const Project& changed);
   void show_step(const char* done, const Step& step);
   void drop_lost_selection();
 

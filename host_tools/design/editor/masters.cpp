@@ -50,6 +50,35 @@ void Editor::choose_master(size_t layer) {
   select_nothing();
 }
 
+// Writes the project with other layers, and opens it again.
+void Editor::write_layers(const Project& changed) {
+  const std::filesystem::path folder = session_->files().folder;
+  const std::string shown = glyph_;
+  UfoFiles files = session_->files();
+  write_ufo(changed, folder, files);
+  session_->close();
+  begin(folder);
+  show(shown);
+}
+
+void Editor::remove_master(const std::string& name) {
+  const std::vector<Layer>& layers = project().layers;
+  const auto found =
+      std::find_if(layers.begin() + 1, layers.end(),
+                   [&name](const Layer& layer) { return layer.name == name; });
+  if (found == layers.end()) {
+    throw Error("there is no other master '" + name + "'");
+  }
+  const auto index = found - layers.begin();
+  run({{"do", "set_axes"}});  // its places are gone, too
+  choose_master(0);
+  session_->save();
+  Project changed = project();
+  changed.layers.erase(changed.layers.begin() + index);
+  write_layers(changed);
+  message = {"Saved without the master " + name};
+}
+
 void Editor::add_master(const std::string& name, double bolder) {
   const std::vector<Layer>& layers = project().layers;
   const bool is_known =
@@ -58,20 +87,20 @@ void Editor::add_master(const std::string& name, double bolder) {
   if (name.empty() || is_known) {
     throw Error("a master has a name that no other layer has");
   }
-  const std::filesystem::path folder = session_->files().folder;
-  const std::string shown = glyph_;
   tool_->cancel(*this);
   session_->save();
-  UfoFiles files = session_->files();
   Project changed = project();
   // Names of folders are lower-case ASCII, so that all file systems take them.
-  changed.layers.push_back({name,
-                            "glyphs.master" + std::to_string(layers.size()),
+  size_t number = layers.size();
+  const auto is_taken = [&number](const Layer& layer) {
+    return layer.folder == "glyphs.master" + std::to_string(number);
+  };
+  while (std::any_of(layers.begin(), layers.end(), is_taken)) {
+    ++number;
+  }
+  changed.layers.push_back({name, "glyphs.master" + std::to_string(number),
                             Value::object(), project().front().glyphs});
-  write_ufo(changed, folder, files);
-  session_->close();
-  begin(folder);
-  show(shown);
+  write_layers(changed);
   choose_master(project().layers.size() - 1);
   message = {"Saved with the master " + name + ", whose glyphs are those of " +
              master_name(project(), 0) + " until you change them"};

@@ -250,6 +250,8 @@ const std::vector<Command>& command_list() {
        [](const Line& l) { l.editor.save_as(word(l, 0)); }},
       {{"add_master", "NAME", "save the project with another master"},
        [](const Line& l) { l.editor.add_master(l.rest); }},
+      {{"remove_master", "NAME", "save the project without a master"},
+       [](const Line& l) { l.editor.remove_master(l.rest); }},
       {{"bold_master", "UNITS NAME",
         "the same, with stems that are wider by so many units"},
        [](const Line& l) { l.editor.add_master(word(l, 1), number(l, 0)); }},

@@ -125,5 +125,19 @@ def check_between(editor):
     expect(quarter == same != other, "a preview between masters")
 
 
+def check_removal(editor):
+    """A master goes; the next one has a folder of its own."""
+    gone, again, default = editor.run(
+        "open M.ufo", "remove_master Bold", "glyph n", "master Same", "print",
+        "add_master Heavy", "drag 1 40 0", "save", "open M.ufo", "glyph n",
+        "master Heavy", "print", "master Same", "try remove_master Default",
+        "print")
+    expect(gone["master"] == "Same" and again["master"] == "Heavy" and
+           right_edge(again) != right_edge(default) == 140,
+           f"a master that was removed: {gone}, {again}, {default}")
+    expect("there is no other master" in default["message"],
+           default["message"])
+
+
 run_checks(check_edits, check_mismatches, check_thumbnails, check_field,
-           check_between)
+           check_between, check_removal)

@@ -46,6 +46,9 @@ double number_of(const std::string& label, const std::string& text) {
 }
 
 void make_font(Panels& panels, const Values& values) {
+  if (values[1].empty()) {
+    throw Error("Name is empty: a font has one");
+  }
   panels.editor.create(values[0],
                        {{"familyName", values[1]},
                         {"styleName", "Regular"},
@@ -57,25 +60,42 @@ void make_font(Panels& panels, const Values& values) {
                        values[7]);
 }
 
-// One axis between the default master and the first other one.
+// Names, each with its place: "Semi Bold 600 Bold 700".
+std::vector<std::pair<std::string, double>> places_of(const std::string& text) {
+  std::vector<std::pair<std::string, double>> places;
+  std::istringstream words(text);
+  std::string name;
+  for (std::string word; words >> word;) {
+    char* end = nullptr;
+    const double at = std::strtod(word.c_str(), &end);
+    if (*end == '\0' && !name.empty()) {
+      places.emplace_back(name, at);
+      name.clear();
+    } else {
+      name += (name.empty() ? "" : " ") + word;
+    }
+  }
+  if (!name.empty()) {
+    throw Error("'" + name + "' has no number behind it");
+  }
+  return places;
+}
+
+// One axis, from the default master on.
 void set_axis(Panels& panels, const Values& values) {
   Editor& editor = panels.editor;
-  const std::vector<Layer>& layers = editor.project().layers;
-  if (layers.size() < 2) {
-    throw Error("a variable font has two masters; \"Add master\" adds one");
-  }
   const std::string tag = values[0].substr(0, 4);
   const std::string name = values[0].size() > 5 ? values[0].substr(5) : "";
-  Value instances = Value::array();
-  std::istringstream list(values[3]);
-  for (std::string instance, at; list >> instance >> at;) {
-    instances.push_back(
-        {{"name", instance}, {tag, number_of("Instance " + instance, at)}});
-  }
-  Value command = {{"do", "set_axes"}, {"instances", instances}};
+  Value command = {{"do", "set_axes"}, {"instances", Value::array()}};
   command["axes"] = Value::array({Value{{"tag", tag}, {"name", name}}});
-  command["masters"][layers[0].name][tag] = number_of("Default", values[1]);
-  command["masters"][layers[1].name][tag] = number_of("Other", values[2]);
+  command["masters"][editor.project().front().name][tag] =
+      number_of("Default", values[1]);
+  for (const auto& [master, at] : places_of(values[2])) {
+    command["masters"][master][tag] = at;
+  }
+  for (const auto& [instance, at] : places_of(values[3])) {
+    command["instances"].push_back({{"name", instance}, {tag, at}});
+  }
   editor.run(command);
 }
 
@@ -155,7 +175,8 @@ const std::vector<Dialog>& dialog_list() {
          }
        }},
       {"Add master",
-       "A layer with the same glyphs, such as Bold; the project is saved",
+       "A layer with the same glyphs, such as Bold; the project is saved, and "
+       "its steps to undo go",
        "Add",
        {},
        {"Stems wider by"},
@@ -170,11 +191,28 @@ const std::vector<Dialog>& dialog_list() {
        "The axis of a variable font: wght Weight; export it as .designspace",
        "Set",
        {},
-       {"Default master at", "Other master at", "Instances"},
-       [](const Editor&) {
-         return Values{"wght Weight", "400", "700", "Medium 500"};
+       {"Default master at", "Other masters, each with its place", "Instances"},
+       [](const Editor& editor) {
+         Values values = {"wght Weight", "400", "", "Medium 500"};
+         int place = 400;
+         for (size_t i = 1; i < editor.project().layers.size(); ++i) {
+           values[2] += (i == 1 ? "" : " ") + editor.project().layers[i].name +
+                        " " + std::to_string(place += 300);
+         }
+         return values;
        },
        set_axis},
+      {"Remove master",
+       "Its outlines, the axes and the steps to undo go; the project is saved",
+       "Remove",
+       {},
+       {},
+       [](const Editor& editor) {
+         return Values{editor.project().layers.back().name};
+       },
+       [](Panels& panels, const Values& values) {
+         panels.editor.remove_master(values[0]);
+       }},
       {kComponent,
        "The glyph to put into this one: a click, or its name or character",
        "Add",

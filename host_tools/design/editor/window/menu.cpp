@@ -80,6 +80,7 @@ void draw_menu(Panels& panels) {
     dialog_item(panels, "Export", "Ctrl+E", is_open);
     dialog_item(panels, "Add master", "", is_open);
     dialog_item(panels, "Axis and instances", "", is_open);
+    dialog_item(panels, "Remove master", "", is_open);
     dialog_item(panels, kScript, "", is_open);
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) {

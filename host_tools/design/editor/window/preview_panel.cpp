@@ -113,13 +113,17 @@ void draw_glyph(Panels& panels, const Preview& preview) {
 }
 
 void draw_lines(Panels& panels, const Preview& preview) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float inset = px(4);
+  // All lines alike, so that sizes can be compared.
+  auto enlarged = static_cast<int>(px(2));
   for (const TextPicture& line : preview.lines) {
-    ImGui::TextDisabled("%g px", line.px);
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float inset = px(4);
     const int fits =
         static_cast<int>(width - 2 * inset) / std::max(line.image.width, 1);
-    const int enlarged = std::clamp(fits, 1, static_cast<int>(px(2)));
+    enlarged = std::clamp(fits, 1, enlarged);
+  }
+  for (const TextPicture& line : preview.lines) {
+    ImGui::TextDisabled("%g px, enlarged %d times", line.px, enlarged);
     const ImVec2 at =
         frame(panels.editor.preview,
               static_cast<float>(line.image.height * enlarged) + 2 * inset);
