@@ -214,6 +214,7 @@ void use_grids(const Font& font, Choices& choices) {
   flow.y_drift = choices.q16();
   advect(first.grid, flow, next.grid);
   redistance(next.grid, first.grid);
+  wind(first.grid, vortices[0], next.grid);
   Melting melting;
   melting.floor = choices.q6();
   melting.speed_q8 = choices.number();

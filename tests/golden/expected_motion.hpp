@@ -14,7 +14,7 @@ inline constexpr const char* kFigure13Hash =
 inline constexpr const char* kFigure14Hash =
     "e426b0d74548182176897fa9d1133449aa105b92a0a0026c681302e842b540e2";
 inline constexpr const char* kFigure15Hash =
-    "9d97eb7f2e49e0b1d504ccb96ca064ef321adbe68f743b1d0d2e0ebcd3a7b8dd";
+    "69e61a79e535d0adb536392831f0af941df2f0bb2a6328bc23caf706043759fb";
 inline constexpr const char* kMeltHash =
     "ec5689c53aac77f15169c5af9f6c5b4efe5d3ec336f4fbeb648da64ed6a03cf7";
 inline constexpr const char* kPrintHash =

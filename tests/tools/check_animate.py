@@ -278,7 +278,7 @@ class Animate(FolderCase):
                                  [{frame[0]}, {frame[0]}])
 
     def test_the_vortex_tears_the_letter(self):
-        """One piece becomes several; some ink is there all the time."""
+        """One piece becomes several; most of the ink is there all the time."""
         out, _ = self.play("figure15", "t.png", "--fps", 5, size="320x240",
                            frames=300)
         frames = frames_of(out.read_bytes())
@@ -287,11 +287,8 @@ class Animate(FolderCase):
         self.assertEqual(pieces[-1], 1)
         self.assertEqual(frames[-1], frames[0])
         self.assertGreaterEqual(max(pieces), 3)
-        ground = frames[0][:3]
-        for frame in frames:
-            ink = sum(frame[i:i + 3] != ground
-                      for i in range(0, len(frame), 3))
-            self.assertGreater(ink, 1000)
+        light = [sum(red >= 128 for red in frame[::3]) for frame in frames]
+        self.assertGreater(min(light), light[0] * 0.7)
 
     def test_the_vortex_leaves_the_letter_whole(self):
         """Of an italic as well, part of which nothing reaches."""

@@ -122,6 +122,38 @@ TEST(a_reversed_vortex_leaves_the_shape) {
         before.area() / 200);
 }
 
+// By as many steps as a flow, and back: only interpolation wears.
+TEST(a_vortex_winds_and_unwinds) {
+  DistanceGrid grid(first, kSide, kSide, 0);
+  DistanceGrid next(second, kSide, kSide, 0);
+  DistanceGrid before(original, kSide, kSide, 0);
+  paint(kEllGlyph, grid);
+  paint(kEllGlyph, before);
+  Vortex vortex;
+  vortex.x = Q16_16::from_int(40);
+  vortex.y = Q16_16::from_int(44);
+  vortex.core = 10;
+  wind(grid, vortex, next);
+  CHECK_EQ(difference(next, before), 0);
+  // A turn and a half of the centre.
+  vortex.strength = 100 * 1608 * 3 / 2;
+  wind(grid, vortex, next);
+  CHECK(difference(next, before) > before.area() / 2);
+  CHECK(magnitude(next.area() - before.area()) <= before.area() * 5 / 100);
+  vortex.strength = -vortex.strength;
+  wind(next, vortex, grid);
+  CHECK(difference(grid, before) <= before.area() * 15 / 100);
+  // A step is one of a flow.
+  paint(kEllGlyph, grid);
+  vortex.strength = 20 * 256;
+  Flow flow;
+  flow.vortices = {&vortex, 1};
+  advect(grid, flow, next);
+  DistanceGrid wound(original, kSide, kSide, 0);
+  wind(grid, vortex, wound);
+  CHECK(difference(next, wound) <= grid.area() / 100);
+}
+
 TEST(vortices_turn_counter_clockwise) {
   DistanceGrid grid(first, kSide, kSide, 0);
   DistanceGrid next(second, kSide, kSide, 0);
@@ -257,6 +289,7 @@ TEST(hostile_flows_do_no_harm) {
     flow.x_drift.raw = random.any();
     flow.y_drift.raw = random.any();
     advect(grid, flow, next);
+    wind(grid, vortices[0], next);
     redistance(grid, next);
     redistance(next, grid);
     Melting how;

@@ -1,5 +1,4 @@
-// Scene `figure15`: a vortex winds a letter up until it tears; the letter
-// condenses out of its arms.
+// Scene `figure15`: a vortex winds a letter up until it tears, and runs back.
 #pragma once
 
 #include "inkcell/motion/distance_grid.hpp"
@@ -11,8 +10,7 @@
 namespace inkcell::scenes {
 
 /// Figure 15 of Perry and Frisken: level sets, and layers or a print drawn by
-/// distance. A simulation: set_frame() steps as often as needed, from the start
-/// if it goes back.
+/// distance. A function of its frame's number.
 class VortexScene : public SceneBase {
  public:
   static constexpr const char* kText = "&";
@@ -43,22 +41,19 @@ class VortexScene : public SceneBase {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
-  bool restart() noexcept;
   bool paint(motion::DistanceGrid& grid) noexcept;
-  void keep_area() noexcept;
-  void step() noexcept;
-  void condense(uint32_t phase) noexcept;
-  void draw_shape(const Paper& paper, int32_t thinner_q6) const noexcept;
-  void draw_print(const Paper& paper, int32_t thinner_q6) const noexcept;
-  int32_t cutoff_of(int32_t offset_q6) const noexcept;
+  void draw_layers(const Paper& paper) const noexcept;
+  void draw_print(const Paper& paper) const noexcept;
 
   motion::DistanceGrid grid_;
   motion::DistanceGrid next_;
   simulation::PrintStyle print_ = simulation::PrintStyle::relief;
   bool is_print_ = false;
   motion::GridHistogram scratch_;
-  Fixed<int32_t, 13> cutoff_;  // keeps the area of the wound letter
-  int32_t area_ = 0;
+  Fixed<int32_t, 13> cutoff_;  // of the wound letter, by its area
+  int32_t area_ = 0;           // of the letter
+  int32_t most_turn_ = 0;
+  int32_t turn_ = 0;  // of the vortex's centre [turns, Q16]
   bool has_changed_ = true;
 };
 

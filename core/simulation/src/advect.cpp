@@ -4,6 +4,8 @@
 #include "inkcell/simulation/advect.hpp"
 
 #include "base/known_span.hpp"
+#include "base/math.hpp"
+#include "inkcell/motion/numbers.hpp"
 #include "limits.hpp"
 
 namespace inkcell::simulation {
@@ -153,14 +155,8 @@ int32_t far_side(const int8_t* above,
              : 0;
 }
 
-// The new value of a sample.
-int8_t moved(const DistanceGrid& grid,
-             const Motion& motion,
-             int32_t x,
-             int32_t y) noexcept {
-  const Offset offset = motion.look_back(x, y);
-  const int32_t x_q8 = x * 256 + offset.x;
-  const int32_t y_q8 = y * 256 + offset.y;
+// The value at a place of the grid. [samples from the first one's middle, Q8]
+int8_t value_at(const DistanceGrid& grid, int32_t x_q8, int32_t y_q8) noexcept {
   const int32_t left = x_q8 >> 8;
   const int32_t top = y_q8 >> 8;
   const bool is_inside = left >= 1 && top >= 1 && left + 2 < grid.width() &&
@@ -182,6 +178,83 @@ int8_t moved(const DistanceGrid& grid,
   }
   return cubic_at(at, stride, x_q8 & 255, y_q8 & 255);
 }
+
+// The new value of a sample.
+int8_t moved(const DistanceGrid& grid,
+             const Motion& motion,
+             int32_t x,
+             int32_t y) noexcept {
+  const Offset offset = motion.look_back(x, y);
+  return value_at(grid, x * 256 + offset.x, y * 256 + offset.y);
+}
+
+// A vortex whose numbers are in range, for any time.
+class Winding {
+ public:
+  explicit Winding(const Vortex& vortex) noexcept
+      : x_q8_(clamp(vortex.x.raw >> 8, -kFar, kFar)),
+        y_q8_(clamp(vortex.y.raw >> 8, -kFar, kFar)),
+        core_square_q4_(clamp(vortex.core, 1, 255) *
+                        clamp(vortex.core, 1, 255) * 16) {
+    const int32_t strength =
+        clamp(vortex.strength, -kMostStrength, kMostStrength);
+    rough_ = abs(strength) < 1 << 22 ? 0 : 4;
+    strength_ = strength * (256 >> rough_);
+  }
+
+  // Of a sample's middle from the centre. [samples^2, Q4]
+  int32_t square_q4(int32_t x, int32_t y) const noexcept {
+    const int32_t right_q2 = (x * 256 + 128 - x_q8_) >> 6;
+    const int32_t down_q2 = (y * 256 + 128 - y_q8_) >> 6;
+    return right_q2 * right_q2 + down_q2 * down_q2;
+  }
+
+  // The samples of a row that are at most this far from the centre.
+  detail::KnownSpan within(int32_t most_square_q4,
+                           int32_t y,
+                           int32_t width) const noexcept {
+    const int32_t down_q2 = (y * 256 + 128 - y_q8_) >> 6;
+    const int32_t rest = most_square_q4 - down_q2 * down_q2;
+    if (rest < 0) {
+      return {width, 0};
+    }
+    const auto half_q2 =
+        static_cast<int32_t>(detail::root_of(static_cast<uint32_t>(rest)));
+    return {clamp(((x_q8_ >> 6) - half_q2) >> 2, 0, width),
+            clamp((((x_q8_ >> 6) + half_q2) >> 2) + 1, 0, width)};
+  }
+
+  int8_t value_of(const DistanceGrid& grid,
+                  int32_t x,
+                  int32_t y) const noexcept {
+    const int32_t right = clamp(x * 256 + 128 - x_q8_, -kMost, kMost);
+    const int32_t down = clamp(y * 256 + 128 - y_q8_, -kMost, kMost);
+    const int32_t turn_q12 =
+        clamp(strength_ / ((square_q4(x, y) + core_square_q4_) >> rough_),
+              -kTurn, kTurn);
+    // From radians to parts of a turn.
+    const auto turn = motion::Angle::from_raw(
+        static_cast<uint16_t>((turn_q12 * 10430 + 2048) >> 12));
+    const int32_t sine_q12 = (motion::sine(turn).raw + 2) >> 2;
+    const int32_t cosine_q12 = (motion::cosine(turn).raw + 2) >> 2;
+    // Rotation back, as in Whirl.
+    return value_at(
+        grid, x_q8_ - 128 + nearest(right * cosine_q12 - down * sine_q12),
+        y_q8_ - 128 + nearest(right * sine_q12 + down * cosine_q12));
+  }
+
+ private:
+  static constexpr int32_t kFar = 1 << 17;
+  // Samples are this near to a centre in the grid. [Q8]
+  static constexpr int32_t kMost = 1 << 18;
+  static constexpr int32_t kTurn = 1 << 17;  // [radians, Q12]
+
+  int32_t x_q8_;
+  int32_t y_q8_;
+  int32_t core_square_q4_;
+  int32_t rough_;     // bits that are left off to divide a great strength
+  int32_t strength_;  // [samples^2 rad, Q16 less those bits]
+};
 
 }  // namespace
 
@@ -225,6 +298,34 @@ void advect(const DistanceGrid& grid,
                   : moved(grid, motion, x, y);
       before = here;
       here = after;
+    }
+  }
+}
+
+void wind(const DistanceGrid& grid,
+          const Vortex& vortex,
+          DistanceGrid& out) noexcept {
+  if (grid.width() != out.width() || grid.height() != out.height() ||
+      grid.width() == 0) {
+    return;
+  }
+  const Winding winding(vortex);
+  // The shape stays in a circle around the centre.
+  int32_t farthest = 0;
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    const detail::KnownSpan known =
+        detail::known_span(grid.row(y), grid.width());
+    if (known.first < known.end) {
+      farthest = max(farthest, max(winding.square_q4(known.first - 2, y),
+                                   winding.square_q4(known.end + 1, y)));
+    }
+  }
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    const detail::KnownSpan span = winding.within(farthest, y, grid.width());
+    int8_t* to = out.row(y);
+    detail::clear_around(span, to, grid.width());
+    for (int32_t x = span.first; x < span.end; ++x) {
+      to[x] = winding.value_of(grid, x, y);
     }
   }
 }

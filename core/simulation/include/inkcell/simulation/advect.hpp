@@ -45,4 +45,17 @@ void advect(const motion::DistanceGrid& grid,
             const Flow& flow,
             motion::DistanceGrid& out) noexcept;
 
+/// Fills `out` with `grid`, wound up by a vortex for any time: `strength` is
+/// that of all steps, within +-2^26; no point turns by more than 5 turns.
+/// Points move on circles, so each sample is looked up once, where it was: the
+/// reverse gives back the shape, and nothing wears off. The slope grows:
+/// redistance() restores it. Both grids have the same size and share no memory.
+/// Cost: about 100 instructions for a sample of the circle that holds the
+/// shape; near edges about 150 more.
+///
+/// If the sizes differ, `out` is untouched.
+void wind(const motion::DistanceGrid& grid,
+          const Vortex& vortex,
+          motion::DistanceGrid& out) noexcept;
+
 }  // namespace inkcell::simulation
