@@ -217,6 +217,7 @@ void use_grids(const Font& font, Choices& choices) {
   wind(first.grid, vortices[0], next.grid);
   Melting melting;
   melting.floor = choices.q6();
+  melting.drip = choices.q6();
   melting.speed_q8 = choices.number();
   melting.area = choices.number();
   melt(first.grid, melting, scratch);

@@ -16,7 +16,7 @@ inline constexpr const char* kFigure14Hash =
 inline constexpr const char* kFigure15Hash =
     "69e61a79e535d0adb536392831f0af941df2f0bb2a6328bc23caf706043759fb";
 inline constexpr const char* kMeltHash =
-    "ec5689c53aac77f15169c5af9f6c5b4efe5d3ec336f4fbeb648da64ed6a03cf7";
+    "d8f7bda588de1a65f5e53cc6a60d5c796a0078146ee0194b98a6d7fd792439dd";
 inline constexpr const char* kPrintHash =
     "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
 inline constexpr const char* kCountHash =

@@ -295,6 +295,7 @@ TEST(hostile_flows_do_no_harm) {
     Melting how;
     how.floor.raw = random.any();
     how.speed_q8 = random.any();
+    how.drip.raw = random.any();
     how.area = random.any();
     melt(grid, how, scratch);
     freeze(grid, next, random.any());

@@ -7,23 +7,19 @@
 namespace inkcell::simulation {
 namespace {
 
-constexpr int32_t kSlow = 80;  // the height of slow samples [1/32 sample]
-constexpr int32_t kLeastDepth = 3 * 32;  // the depth of a puddle [1/32 sample]
-
 int8_t sample_of(int32_t value) noexcept {
   return static_cast<int8_t>(clamp(value, INT8_MIN, INT8_MAX));
 }
 
 // Smooth noise: the speed of a column. [of 256]
-int32_t speed_of(uint32_t seed, int32_t column) noexcept {
-  constexpr int32_t kWide = 4;  // [columns]
-  const int32_t part = column % kWide;
+int32_t speed_of(uint32_t seed, int32_t column, int32_t wide) noexcept {
+  const int32_t part = column % wide;
   const auto noise = [&](int32_t knot) {
-    const auto at = static_cast<uint32_t>(column / kWide + knot);
+    const auto at = static_cast<uint32_t>(column / wide + knot);
     return static_cast<int32_t>(hash(seed, at) >> 24);
   };
-  const int32_t both = noise(0) * (kWide - part) + noise(1) * part;
-  return 86 + both * 2 / (3 * kWide);
+  const int32_t both = noise(0) * (wide - part) + noise(1) * part;
+  return 86 + both * 2 / (3 * wide);
 }
 
 }  // namespace
@@ -31,7 +27,7 @@ int32_t speed_of(uint32_t seed, int32_t column) noexcept {
 void melt(DistanceGrid& grid,
           const Melting& how,
           GridHistogram& scratch) noexcept {
-  const int32_t speed_q8 = clamp(how.speed_q8, 0, 256);
+  const int32_t speed_q8 = clamp(how.speed_q8, 0, 4 * 256);
   const int32_t floor_q6 = clamp(how.floor.raw, -(1 << 19), 1 << 19);
   const int32_t shift = grid.scale_log2() + 1;
   const int32_t beside = clamp(how.beside.raw, 0, 1 << 19) >> shift;
@@ -39,18 +35,24 @@ void melt(DistanceGrid& grid,
   // As deep as one of this area, from side to side.
   const int32_t wide = max(grid.width() * 16 - beside, 16);  // half of it
   const int32_t deep = how.area / wide * 8 + how.area % wide * 8 / wide;
-  const int32_t depth = max(deep + 32, kLeastDepth);
+  const int32_t drip =
+      clamp(how.drip.raw >> (grid.scale_log2() + 6), 1, 128);  // [samples]
+  const int32_t depth = max(deep + 32, 24 * drip);
+  const int32_t slow = 20 * drip;  // the height of slow samples
   for (int32_t x = 0; x < grid.width(); ++x) {
-    const int32_t speed = speed_q8 * speed_of(how.seed, x);
+    const int32_t speed = speed_q8 * speed_of(how.seed, x, drip);
     const int32_t side = 32 * min(x, grid.width() - 1 - x) + 16 - beside;
     // Upwards: the sample above is still that of the step before.
     for (int32_t y = grid.height() - 1; y >= 0; --y) {
       int8_t& at = grid.row(y)[x];
       // Of the sample's middle above the floor. [1/32 of a sample]
       const int32_t height = (floor_q6 - ((2 * y + 1) << (shift + 4))) >> shift;
-      const int32_t fall_q8 = speed * clamp(height, 0, kSlow) / (kSlow * 256);
+      const int32_t fall_q8 = speed * clamp(height, 0, slow) / (slow * 256);
+      const int32_t from = y - (fall_q8 >> 8);
+      const int32_t below = grid.at(x, from);
+      const int32_t above = grid.at(x, from - 1);
       const int32_t fallen =
-          at + (((grid.at(x, y - 1) - at) * fall_q8 + 128) >> 8);
+          below + (((above - below) * (fall_q8 & 255) + 128) >> 8);
       const bool is_puddle = fallen > INT8_MIN && height < depth;
       at = sample_of(
           min(is_puddle ? fallen + added : fallen, min(height, side)));

@@ -24,15 +24,16 @@ namespace inkcell::simulation {
 struct Melting {
   Q26_6 floor;           // [px from the grid's upper edge] Nothing is below it.
   Q26_6 beside;          // [px] Nothing is nearer to the grid's sides.
-  int32_t speed_q8 = 0;  // the fastest column, at most a sample [a step]
+  int32_t speed_q8 = 0;  // the fastest column [samples a step], at most 4
+  Q26_6 drip = Q26_6::from_int(4);  // [px] The width of columns of one speed.
   /// DistanceGrid::area() of the shape: what sinks spreads as a puddle until
   /// the area is this again. [1/64 of a sample]
   int32_t area = 0;
   uint32_t seed = 0;  // of the speeds of columns
 };
 
-/// A step: each column of samples sinks at its own speed, slower within 2.5
-/// samples of the floor. About 60 instructions a sample.
+/// A step: each column of samples sinks at its own speed, slower within 5/8 of
+/// a drip's width of the floor. About 60 instructions a sample.
 void melt(motion::DistanceGrid& grid,
           const Melting& how,
           motion::GridHistogram& scratch) noexcept;
