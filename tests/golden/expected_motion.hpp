@@ -18,7 +18,7 @@ inline constexpr const char* kFigure15Hash =
 inline constexpr const char* kMeltHash =
     "d8f7bda588de1a65f5e53cc6a60d5c796a0078146ee0194b98a6d7fd792439dd";
 inline constexpr const char* kPrintHash =
-    "24af9f13e9a115bfbeb84084efbfe2374020926c2b57ddea830fe1ad3ecba182";
+    "8964cf9b7fab2d531df67ee02515262fdc612748a305b49315758a1b917d1e9b";
 inline constexpr const char* kCountHash =
     "fd46ed944924dc1b9cb3db51ef0a9fea5ff7c59197dc01273ce1125708e4eda5";
 inline constexpr const char* kTickerHash =

@@ -28,7 +28,7 @@ struct Part {
 constexpr Part kAll[kParts] = {
     {PrintStyle::relief, 0x2b1a12, 0xffd9a0, 0, 16},
     {PrintStyle::engraving, 0x0f2a24, 0xa6f0d0, 20, 16},
-    {PrintStyle::rings, 0x2a1a3c, 0xff8fb8, 0, 14},
+    {PrintStyle::rings, 0x2a1a3c, 0xff8fb8, 0, 11},
     {PrintStyle::hatching, 0x1c2233, 0xf2f0e6, 50, 18},
     {PrintStyle::halftone, 0x33180f, 0xff9a52, 30, 20}};
 
@@ -62,8 +62,11 @@ PrintLook PrintScene::look_of(uint32_t part) const noexcept {
   look.light = Angle::from_raw(
       static_cast<uint16_t>(from_degrees(135 + 180).raw - turn));
   look.screen = from_degrees(of.screen);
-  const int32_t pitch = height_ * 64 / 48 * of.pitch / 16;
-  look.pitch = Q26_6::from_raw(pitch < 160 ? 160 : pitch);
+  // Finer lines are noise to the eye: each has two pixels, and each gap. Rings
+  // are finer, so that two of them are within reach of the grid.
+  const int32_t relief = height_ * 64 / 36;
+  look.pitch =
+      Q26_6::from_raw((relief < 4 * 64 ? 4 * 64 : relief) * of.pitch / 16);
   look.slope = Q26_6::from_raw(height_ * 64 / 27);
   if (of.style == PrintStyle::rings) {
     look.shift.raw = static_cast<int32_t>(frame_ % kLoopFrames) * 8;

@@ -97,8 +97,8 @@ struct Printer {
         const int32_t height_q10 =
             (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
         const uint32_t bent = to_phase * static_cast<uint32_t>(height_q10);
-        result =
-            line(along.at(x, y) + bent - start, dark, bent_density_q13(at));
+        result = line(along.at(x, y) + bent - start, dark,
+                      is_flat(at) ? kOneQ13 : bent_density_q13(at));
         break;
       }
       case PrintStyle::hatching: {
@@ -120,6 +120,10 @@ struct Printer {
   }
 
  private:
+  // Where distances are clamped, deep inside.
+  static bool is_flat(const GridPoint& at) noexcept {
+    return (at.x_slope_q13 | at.y_slope_q13) == 0;
+  }
   // The steepness of the dome: 1 at the edge, 0 at the end of the slope.
   int32_t steep_q8(int32_t distance_q10) const noexcept {
     return 256 - (clamp(distance_q10, 0, slope_q10) * to_steep >> 16);
@@ -200,7 +204,7 @@ Printer::Printer(const PrintLook& look, int32_t grid_scale_log2) noexcept
 
 // How dark a place is, on a dome whose slope falls from 1 at the edge to 0.
 int32_t Printer::shade(const GridPoint& at) const noexcept {
-  if (at.distance_q10 >= slope_q10) {
+  if (at.distance_q10 >= slope_q10 || is_flat(at)) {
     return tone;
   }
   // The height grows inwards: the gradient of a lit place points away from the
@@ -222,6 +226,81 @@ detail::KnownSpan shown_span(const DistanceGrid& grid, int32_t line) noexcept {
   return {known.first << scale, known.end << scale};
 }
 
+// A line of pixels through a grid, from left to right. Values are those of
+// probe() at each centre; pixels of a cell share its two sides.
+class GridLine {
+ public:
+  GridLine(const DistanceGrid& grid, int32_t line, int32_t column) noexcept
+      : width_(grid.width()), scale_log2_(grid.scale_log2()) {
+    const int32_t down_q8 = on_grid(line);
+    const int32_t row = down_q8 >> 8;
+    top_ = row >= 0 && row < grid.height() ? grid.row(row) : nullptr;
+    bottom_ = row + 1 < grid.height() ? grid.row(row + 1) : nullptr;
+    down_ = down_q8 & 255;
+    const int32_t right_q8 = on_grid(column);
+    column_ = right_q8 >> 8;
+    right_ = right_q8 & 255;
+    left_side_ = side_at(column_);
+    right_side_ = side_at(column_ + 1);
+  }
+
+  // [px, Q10]
+  int32_t distance() const noexcept {
+    const int32_t value = left_side_.value + (x_slope() * right_ >> 8) + 128;
+    return value * (1 << scale_log2_) >> 3;
+  }
+  int32_t x_slope() const noexcept {  // [Q13]
+    return right_side_.value - left_side_.value;
+  }
+  int32_t y_slope() const noexcept {
+    return left_side_.step * 256 +
+           (right_side_.step - left_side_.step) * right_;
+  }
+  // Some pixels to the right.
+  void advance(int32_t px) noexcept {
+    right_ += px << (8 - scale_log2_);
+    if (right_ >= 256) {
+      const int32_t cells = right_ >> 8;
+      right_ &= 255;
+      column_ += cells;
+      left_side_ = cells == 1 ? right_side_ : side_at(column_);
+      right_side_ = side_at(column_ + 1);
+    }
+  }
+
+ private:
+  // A side of a cell, where the line crosses it.
+  struct Side {
+    int32_t value;  // [1/32 of a sample, Q8]
+    int32_t step;   // to the sample below
+  };
+
+  // The centre of a pixel from that of the first sample. [samples, Q8]
+  int32_t on_grid(int32_t px) const noexcept {
+    return ((2 * px + 1) << (7 - scale_log2_)) - 128;
+  }
+  int32_t at(const int8_t* row, int32_t column) const noexcept {
+    return row != nullptr && column >= 0 && column < width_
+               ? row[column]
+               : DistanceGrid::kOutside;
+  }
+  Side side_at(int32_t column) const noexcept {
+    const int32_t top = at(top_, column);
+    const int32_t step = at(bottom_, column) - top;
+    return {top * 256 + step * down_, step};
+  }
+
+  const int8_t* top_;  // rows of samples; null outside of the grid
+  const int8_t* bottom_;
+  int32_t width_;
+  int32_t scale_log2_;
+  int32_t down_;  // [Q8]
+  int32_t column_;
+  int32_t right_;
+  Side left_side_;
+  Side right_side_;
+};
+
 __attribute__((noinline)) void print_row(const DistanceGrid& grid,
                                          const Printer& printer,
                                          const Filter& filter,
@@ -234,15 +313,20 @@ __attribute__((noinline)) void print_row(const DistanceGrid& grid,
   const int32_t first = max(shown.first, part.x0 - box.x0);
   const int32_t end = min(shown.end, part.x1 - box.x0);
   PixelRun run(sink, y);
-  for (int32_t column = first; column < end; ++column) {
-    GridPoint at = probe(grid, Q16_16::from_raw(column * 65536 + 32768),
-                         Q16_16::from_raw(line * 65536 + 32768));
-    at.distance_q10 -= printer.cutoff_q10;
-    const uint32_t body = filter.coverage(at.distance_q10);
-    if (body != 0) {
-      const uint32_t covered = body * printer.ink(at, column - printer.screen_x,
-                                                  line - printer.screen_y) +
-                               127;
+  GridLine at(grid, line, first);
+  int32_t px = 1;
+  for (int32_t column = first; column < end; column += px, at.advance(px)) {
+    const int32_t distance_q10 = at.distance() - printer.cutoff_q10;
+    const uint32_t body = filter.coverage(distance_q10);
+    px = 1;
+    if (body == 0) {
+      // Slopes are below 2: a pixel changes a distance by less than 2 px.
+      px += max(filter.outside_q10 - distance_q10, 0) >> 11;
+    } else {
+      const GridPoint here = {distance_q10, at.x_slope(), at.y_slope()};
+      const uint32_t ink =
+          printer.ink(here, column - printer.screen_x, line - printer.screen_y);
+      const uint32_t covered = body * ink + 127;
       run.add(box.x0 + column, (covered + (covered >> 8)) >> 8);
     }
   }
