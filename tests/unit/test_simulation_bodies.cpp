@@ -219,6 +219,40 @@ TEST(nothing_is_shot_through_a_thin_board) {
   }
 }
 
+// Two letters are thrown up side by side, 3 px apart, while others hit each
+// other far away: each flight is the parabola of its start.
+TEST(flights_do_not_depend_on_others) {
+  make_models();
+  BodyRules rules;
+  rules.walls = {0, -400, 1100, 180};
+  rules.gravity.raw = 4000;
+  rules.pieces = 8;
+  scatter(5, 6 * kOne);
+  for (size_t i = 2; i < kCount; ++i) {
+    bodies[i].x = Q16_16::from_int(25 + static_cast<int32_t>(i % 2) * 40);
+    bodies[i].y = Q16_16::from_int(20 + static_cast<int32_t>(i / 2) * 32);
+  }
+  for (int32_t i = 0; i < 2; ++i) {
+    bodies[i] = Body();
+    bodies[i].shape = &models[0].shape;
+    bodies[i].x = Q16_16::from_int(1000 + 14 * i);
+    bodies[i].y = Q16_16::from_int(150);
+    bodies[i].y_speed = Q16_16::from_int(-8);
+  }
+  int32_t most = 0;
+  for (int32_t i = 1; i <= 120; ++i) {
+    step(bodies, rules, contacts);
+    const int32_t y =
+        (150 - 8 * i) * kOne + rules.gravity.raw * i * (i + 1) / 2;
+    for (int32_t k = 0; k < 2; ++k) {
+      CHECK_EQ(bodies[k].x.raw, (1000 + 14 * k) * kOne);
+      const int32_t off = magnitude(bodies[k].y.raw - y);
+      most = off > most ? off : most;
+    }
+  }
+  CHECK(most < kOne / 256);
+}
+
 TEST(energy_does_not_grow) {
   make_models();
   const uint16_t kBounces[] = {256, 128};

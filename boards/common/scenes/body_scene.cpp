@@ -164,7 +164,7 @@ BodyRules BodyScene::rules() const noexcept {
   rules.stiffness_q16 = 16000;
   rules.damping_q16 = 16000;
   rules.squash_q14 = static_cast<uint16_t>(160 * 240 / height_);
-  rules.pieces = 3;
+  rules.pieces = 6;
   return rules;
 }
 
@@ -175,11 +175,11 @@ void BodyScene::let_fall(int32_t index) noexcept {
   body = Body();
   body.shape = &shapes_[shape_of_[index]];
   // Over the middle, beside the letter before.
-  const auto along = static_cast<int32_t>(random & 127) + 256;  // [em / 1024]
+  const auto along = static_cast<int32_t>(random & 127) + 160;  // [em / 1024]
   body.x = Q16_16::from_int(width_ / 2 + (index % 2 == 0 ? -along : along) *
                                              size_for(height_) / 1024);
-  // The first one is seen at once, others begin above the one before, which
-  // falls slowly while the heap needs many pieces of a step.
+  // The first one is seen at once, others begin above the screen, and above the
+  // one before.
   int32_t y = 0;
   if (index > 0) {
     const Rect before = box_of(bodies_[index - 1]);

@@ -284,30 +284,52 @@ __attribute__((noinline)) void solve_all(const Solver& solver) noexcept {
   }
 }
 
-// The longest piece in which no body moves farther than clear_q10, and no two
-// that touch move farther than slide_q10() against each other. [step, Q16]
-int32_t piece_of(const Solver& solver, int32_t left_q16) noexcept {
-  int32_t piece = left_q16;
-  const auto limit_by = [&](int32_t clear_q10, int32_t speed) {
+// Sets the piece of each body: the longest in which it moves clear_q10 at most,
+// and no two that touch move farther than slide_q10() against each other.
+// Bodies that touch have the same piece; they do not hold up others. [step,
+// Q16]
+__attribute__((noinline)) void set_pieces(const Solver& solver) noexcept {
+  const auto limit_by = [](Body& body, int32_t clear_q10, int32_t speed) {
     const int64_t distance = int64_t{clear_q10} << 22;
-    if (int64_t{speed} * piece > distance) {
-      piece = static_cast<int32_t>(distance / speed);
+    if (int64_t{speed} * body.piece_q16 > distance) {
+      body.piece_q16 = max(static_cast<int32_t>(distance / speed), 1);
     }
   };
-  for (const Body& body : solver.bodies) {
+  for (Body& body : solver.bodies) {
+    body.piece_q16 = 0;
     if (takes_part(body)) {
-      limit_by(body.clear_q10, speed_of(body));
+      body.piece_q16 = body.left_q16;
+      limit_by(body, body.clear_q10, speed_of(body));
     }
   }
   for (const BodyContact& contact : solver.contacts) {
-    if (const Body* second = solver.second_of(contact)) {
+    if (Body* second = solver.second_of(contact)) {
       // Where both overlap, the sum is what they may.
       const int32_t overlap = contact.soft_q10 + max(contact.gap_q10, 0);
-      limit_by(max(contact.gap_q10, slide_q10(overlap)),
-               speed_between(solver.bodies[contact.first], *second));
+      const int32_t clear = max(contact.gap_q10, slide_q10(overlap));
+      Body& first = solver.bodies[contact.first];
+      const int32_t speed = first.piece_q16 == 0 ? speed_of(*second)
+                            : second->piece_q16 == 0
+                                ? speed_of(first)
+                                : speed_between(first, *second);
+      limit_by(first, clear, speed);
+      limit_by(*second, clear, speed);
     }
   }
-  return max(piece, 1);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const BodyContact& contact : solver.contacts) {
+      if (Body* second = solver.second_of(contact)) {
+        Body& first = solver.bodies[contact.first];
+        if (first.piece_q16 != second->piece_q16 && first.piece_q16 != 0 &&
+            second->piece_q16 != 0) {
+          first.piece_q16 = second->piece_q16 =
+              min(first.piece_q16, second->piece_q16);
+          has_changed = true;
+        }
+      }
+    }
+  }
 }
 
 void advance(Body& body, int32_t piece_q16) noexcept {
@@ -319,30 +341,34 @@ void advance(Body& body, int32_t piece_q16) noexcept {
   limit(body);
 }
 
-// Returns the part of the step that it has taken. [Q16] Not inline: the search
-// for contacts needs the stack.
-__attribute__((noinline)) int32_t solve_piece(const Solver& solver,
-                                              bool is_first,
-                                              int32_t left_q16) noexcept {
+// Returns whether a body has yet to move. Not inline: the search for contacts
+// needs the stack.
+__attribute__((noinline)) bool solve_piece(const Solver& solver,
+                                           bool is_first) noexcept {
   const Span<BodyContact> contacts = solver.contacts;
   for (BodyContact& contact : contacts) {
-    solver.prepare(contact);
+    if (contact.gap_q10 < kTouchQ10 || contact.soft_q10 > 0) {
+      solver.prepare(contact);
+    }
   }
   // Springs first, so that hard contacts hold what they push.
   for (size_t i = is_first ? contacts.size : 0; i > 0; --i) {
     solver.spring(contacts[i - 1]);
   }
   solve_all(solver);
-  const int32_t part_q16 = piece_of(solver, left_q16);
+  set_pieces(solver);
   for (size_t i = contacts.size; i > 0; --i) {
     solver.separate(contacts[i - 1]);
   }
+  bool is_left = false;
   for (Body& body : solver.bodies) {
-    if (takes_part(body)) {
-      advance(body, part_q16);
+    if (body.piece_q16 > 0) {
+      advance(body, body.piece_q16);
+      body.left_q16 -= body.piece_q16;
+      is_left = is_left || body.left_q16 > 0;
     }
   }
-  return part_q16;
+  return is_left;
 }
 
 // A damped spring: the fall that a body has lost in a step, if it is more than
@@ -367,11 +393,12 @@ void spring_back(Body& body, int32_t gain_q14, int32_t least_q16) noexcept {
   body.squash_speed_q14 = static_cast<int16_t>(next > 0 ? speed : 0);
 }
 
-// Limits all values, and applies gravity.
+// Limits all values, gives each body its time, and applies gravity.
 __attribute__((noinline)) void begin_step(Span<Body> bodies,
                                           const BodyRules& rules) noexcept {
   for (Body& body : bodies) {
     limit(body);
+    body.left_q16 = 1 << 16;
     if (takes_part(body)) {
       body.y_speed.raw += is_empty(rules.walls) ? 0 : rules.gravity.raw;
       body.fall_q16 = body.y_speed.raw;
@@ -398,12 +425,11 @@ void step(Span<Body> all,
     return;
   }
   const int32_t still_q16 = 8000 + 2 * abs(rules.gravity.raw);
-  int32_t left_q16 = 1 << 16;
   const int32_t most = clamp(rules.pieces, 1, BodyRules::kMostPieces);
-  for (int32_t piece = 0; piece < most && left_q16 > 0; ++piece) {
+  bool is_left = true;
+  for (int32_t piece = 0; piece < most && is_left; ++piece) {
     const size_t count = find_contacts(bodies, rules, still_q16, room);
-    left_q16 -=
-        solve_piece({bodies, rules, {room.data, count}}, piece == 0, left_q16);
+    is_left = solve_piece({bodies, rules, {room.data, count}}, piece == 0);
   }
   for (Body& body : bodies) {
     spring_back(body, min(rules.squash_q14, 1 << 13), 2 * still_q16);

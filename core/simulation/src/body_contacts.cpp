@@ -15,6 +15,11 @@ int32_t near_q10(const Body& body) noexcept {
   return 2048 << body.shape->grid().scale_log2();
 }
 
+// Whether the body stays where it is in the piece at hand. A sleeper may wake.
+bool stays(const Body& body) noexcept {
+  return body.is_fixed || (!body.is_asleep() && body.left_q16 == 0);
+}
+
 // How much farther a squashed body is drawn, at most. [px, Q10]
 int32_t wider_q10(const Body& body) noexcept {
   const int32_t flat =
@@ -22,9 +27,9 @@ int32_t wider_q10(const Body& body) noexcept {
   return body.shape->radius() * flat / 12;  // 4/3 of it
 }
 
-// Whether a force moves the body.
-bool can_move(const Body& body) noexcept {
-  return !body.is_fixed && !body.is_asleep();
+// Whether the body moves in the piece at hand.
+bool moves(const Body& body) noexcept {
+  return !body.is_fixed && !body.is_asleep() && body.left_q16 > 0;
 }
 
 // The arm of a force along n is r_y n_x - r_x n_y: turns are counter-clockwise,
@@ -63,22 +68,44 @@ struct Finder {
   void note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept {
     const int32_t both = a.most_speed_q16 + b.most_speed_q16 + 1;
     const int32_t part = 32 + a.most_speed_q16 / ((both >> 8) + 1) * 3 / 4;
-    note(a, distance_q10, b.is_fixed ? 256 : part);
-    note(b, distance_q10, a.is_fixed ? 256 : 256 - part);
+    note(a, distance_q10, stays(b) ? 256 : part);
+    note(b, distance_q10, stays(a) ? 256 : 256 - part);
+  }
+
+  // Bodies that do not touch, but fly side by side, are held apart by the speed
+  // between them: the solver divides their step alike.
+  void keep_apart(size_t first, size_t second, int32_t distance_q10) noexcept {
+    Body& a = bodies[first];
+    Body& b = bodies[second];
+    const int32_t both = a.most_speed_q16 + b.most_speed_q16;
+    const int32_t gap_q10 = max(overlap_q10 - distance_q10, kTouchQ10);
+    if (moves(a) && moves(b) && gap_q10 < both >> 5 &&
+        contacts.size - count > kContactsOfPair &&
+        2 * speed_between(a, b) < both) {
+      contacts[count] = {};
+      contacts[count].first = static_cast<uint8_t>(first);
+      contacts[count].second = static_cast<uint8_t>(second);
+      contacts[count].gap_q10 = gap_q10;
+      ++count;
+      return;
+    }
+    note_pair(a, b, distance_q10);
   }
 
   // A sleeper wakes if a fast body touches it.
   void wake(Body& body, const Body& by) const noexcept {
     if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
       body.still_steps = 0;
+      body.left_q16 = by.left_q16;
     }
   }
 
   // Forgets touches that will be examined.
   void forget(size_t index) const noexcept {
-    const bool moves = can_move(bodies[index]);
+    const bool is_sought = moves(bodies[index]);
     for (BodyTouch& touch : bodies[index].touches) {
-      if (moves || (touch.with < bodies.size && can_move(bodies[touch.with]))) {
+      if (is_sought ||
+          (touch.with < bodies.size && moves(bodies[touch.with]))) {
         touch = BodyTouch();
       }
     }
@@ -189,7 +216,7 @@ struct Finder {
                                            size_t second) noexcept {
     Body& a = bodies[first];
     Body& b = bodies[second];
-    if (!can_move(a) && !can_move(b)) {
+    if (!moves(a) && !moves(b)) {
       return;
     }
     // Positions are within 2^13 px: 32 bits hold the difference.
@@ -207,7 +234,7 @@ struct Finder {
       meet(b, first);
     }
     if (apart_q10 >= near) {
-      note_pair(a, b, -apart_q10);
+      keep_apart(first, second, -apart_q10);
       return;
     }
     BodyContact* kept = clean();
@@ -230,7 +257,7 @@ struct Finder {
       squash(b, first, lost_q10, of_b);
     }
     if (kept == nullptr || kept->soft_q10 < 0) {
-      note_pair(a, b, of_b.most);  // no contacts to rely on
+      keep_apart(first, second, of_b.most);
       return;
     }
     wake(a, b);
@@ -291,6 +318,12 @@ struct Finder {
   }
 };
 
+// An upper bound of a length, at most 6 % above it.
+int32_t length_above(int32_t x, int32_t y) noexcept {
+  const int32_t near = near_length(abs(x), abs(y));
+  return near + (near >> 5) + 1;
+}
+
 // The speed of the edge by spin. [px a step, Q16]
 int32_t edge_speed(const Body& body) noexcept {
   const int64_t spun = int64_t{abs(body.spin_q20)} * body.shape->radius() >> 4;
@@ -300,12 +333,13 @@ int32_t edge_speed(const Body& body) noexcept {
 }  // namespace
 
 int32_t speed_of(const Body& body) noexcept {
-  return abs(body.x_speed.raw) + abs(body.y_speed.raw) + edge_speed(body);
+  return length_above(body.x_speed.raw, body.y_speed.raw) + edge_speed(body);
 }
 
 int32_t speed_between(const Body& a, const Body& b) noexcept {
-  return abs(a.x_speed.raw - b.x_speed.raw) +
-         abs(a.y_speed.raw - b.y_speed.raw) + edge_speed(a) + edge_speed(b);
+  return length_above(a.x_speed.raw - b.x_speed.raw,
+                      a.y_speed.raw - b.y_speed.raw) +
+         edge_speed(a) + edge_speed(b);
 }
 
 size_t find_contacts(Span<Body> bodies,
@@ -317,7 +351,7 @@ size_t find_contacts(Span<Body> bodies,
     body.clear_q10 = kFarQ10;
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }
-  // Pairs of sleepers are not examined: they keep their touches.
+  // Pairs that do not move are not examined: they keep their touches.
   for (size_t i = 0; i < bodies.size; ++i) {
     finder.forget(i);
   }
@@ -325,7 +359,7 @@ size_t find_contacts(Span<Body> bodies,
     if (bodies[i].shape == nullptr) {
       continue;
     }
-    for (int32_t wall = 0; wall < 4 && can_move(bodies[i]); ++wall) {
+    for (int32_t wall = 0; wall < 4 && moves(bodies[i]); ++wall) {
       finder.find_wall(i, wall);
     }
     for (size_t k = 0; k < i; ++k) {

@@ -31,10 +31,15 @@ struct View {
   int16_t bulge_q10;  // of the body drawn: beside this neighbour
   int16_t next;       // it does not matter to the left of this column
 
-  // The distance of a pixel, as distance_at().
-  int32_t distance(int32_t x, int32_t y) const noexcept {
-    return distance_at(*shape, origin.x + (x_right * x + x_down * y) * 4,
-                       origin.y + (y_right * x + y_down * y) * 4);
+  // The first pixel of a row.
+  Place row(int32_t y) const noexcept {
+    return {origin.x + x_down * y * 4, origin.y + y_down * y * 4};
+  }
+  // The distance of a pixel of the row that begins at `from`.
+  int32_t distance(const ShapeField& field,
+                   const Place& from,
+                   int32_t x) const noexcept {
+    return field.at(from.x + x_right * x * 4, from.y + y_right * x * 4);
   }
 };
 
@@ -119,7 +124,8 @@ struct BodyPainter {
         continue;
       }
       const int32_t other_scale = other.shape->grid().scale_log2();
-      const int32_t depth = other.distance(column, line);
+      const int32_t depth =
+          other.distance(ShapeField(*other.shape), other.row(line), column);
       const int32_t far = -depth - (4096 << other_scale);
       if (far >= 0) {
         other.next = static_cast<int16_t>(column + 1 + (far >> 10));
@@ -145,9 +151,11 @@ struct BodyPainter {
     for (View& other : others) {
       other.next = 0;
     }
+    const ShapeField field(*own.shape);
+    const Place from = own.row(line);
     PixelRun run(sink, y);
     for (int32_t column = max(sink.window.x0 - box.x0, 0); column < end;) {
-      const int32_t distance = own.distance(column, line);
+      const int32_t distance = own.distance(field, from, column);
       if (distance < blank) {
         column += 1 + ((blank - distance) >> 10);
         continue;

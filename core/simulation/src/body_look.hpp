@@ -72,6 +72,12 @@ struct Sums {
   int32_t room_q9 = 0;  // of shares of a bulge
   int32_t outside = 0;  // the points there [1/2]
 
+  // Points at most this far inside, that neither touch nor are bulged.
+  void skip(int32_t most_q10, int32_t count, int32_t corners) noexcept {
+    most = max(most, most_q10);
+    outside += 2 * count - corners;
+  }
+
   // Points at corners are closer together: each counts half.
   void add(int32_t distance_q10, bool is_corner, int32_t scale_log2) noexcept {
     const uint32_t half = is_corner ? 1 : 0;
@@ -125,6 +131,7 @@ struct Look {
   void find(Sums& sums) const noexcept {
     const BodyShape& shape = *into->shape;
     const DistanceGrid& grid = shape.grid();
+    const ShapeField field(shape);
     const Turn of_into = turn_of(into->angle());
     const Turn back = {of_into.cosine, -of_into.sine};
     const Turn both = turn_of(Angle::from_raw(
@@ -138,23 +145,39 @@ struct Look {
         (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw - half;
     const int32_t y0 =
         (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw - half;
-    const int32_t nearest =
-        distance_at(shape, x0, y0) + (from->shape->radius() << 10);
+    const int32_t nearest = field.at(x0, y0) + (from->shape->radius() << 10);
     if (nearest <= -(4096 << grid.scale_log2())) {
       sums.most = max(sums.most, nearest);
       return;
     }
-    int32_t id = is_first ? 0 : 1 << 16;
-    for (const BodyPoint& point : from->shape->points()) {
-      const bool is_corner =
-          static_cast<size_t>(id & 0xffff) < from->shape->corner_count();
-      ++id;
-      const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
-      const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
-      const int32_t distance = distance_at(shape, x, y);
-      sums.add(distance, is_corner, grid.scale_log2());
-      if (distance > min(hard_q10, 0) && kept != nullptr) {
-        add(id, point,
+    const BodyShape& own = *from->shape;
+    const auto corners = static_cast<int32_t>(own.corner_count());
+    const auto count = static_cast<int32_t>(own.points().size);
+    const auto size = static_cast<int32_t>(own.group_size());
+    const int32_t far = -(4096 << grid.scale_log2());  // nothing is bulged
+    const int32_t least = kept == nullptr ? INT32_MAX : min(hard_q10, 0);
+    const int32_t first_id = is_first ? 1 : (1 << 16) + 1;
+    const BodyPoint* const points = own.points().data;
+    int32_t group_end = 0;
+    for (int32_t i = 0; i < count; ++i) {
+      const int32_t x =
+          x0 + (turned_x(both, points[i].x_q5, points[i].y_q5) >> 3);
+      const int32_t y =
+          y0 + (turned_y(both, points[i].x_q5, points[i].y_q5) >> 3);
+      const int32_t distance = field.at(x, y);
+      if (i == group_end) {
+        group_end = min(i + size, count);
+        const int32_t most =
+            distance + (own.reach_of(static_cast<size_t>(i / size)) << 10);
+        if (most <= far) {
+          sums.skip(most, group_end - i, clamp(corners - i, 0, group_end - i));
+          i = group_end - 1;
+          continue;
+        }
+      }
+      sums.add(distance, i < corners, grid.scale_log2());
+      if (distance > least) {
+        add(first_id + i, points[i],
             probe(grid, Q16_16::from_raw(x + half),
                   Q16_16::from_raw(y + half)));
       }

@@ -9,6 +9,27 @@ namespace inkcell::simulation {
 namespace {
 
 constexpr size_t kLeastPoints = 8;
+constexpr size_t kLeastGroup = 6;
+
+int32_t squared(const BodyPoint& a, const BodyPoint& b) noexcept {
+  const int32_t x = a.x_q5 - b.x_q5;
+  const int32_t y = a.y_q5 - b.y_q5;
+  return x * x + y * y;
+}
+
+// Lets each point be followed by the nearest one of the rest.
+void line_up(BodyPoint* from, const BodyPoint* end) noexcept {
+  for (; from + 1 < end; ++from) {
+    BodyPoint* nearest = from + 1;
+    for (BodyPoint* point = nearest; point != end; ++point) {
+      nearest =
+          squared(*from, *point) < squared(*from, *nearest) ? point : nearest;
+    }
+    const BodyPoint next = from[1];
+    from[1] = *nearest;
+    *nearest = next;
+  }
+}
 
 }  // namespace
 
@@ -152,6 +173,18 @@ size_t BodyShape::spread(int32_t spacing_q5, Span<BodyPoint> room) noexcept {
   return count;
 }
 
+void BodyShape::group() noexcept {
+  const size_t least = (points_.size + kMostGroups - 1) / kMostGroups;
+  group_size_ = least < kLeastGroup ? kLeastGroup : least;
+  for (size_t i = 0; i < points_.size; ++i) {
+    const BodyPoint& first = points_[i - i % group_size_];
+    const auto length = static_cast<int32_t>(
+        length_of(points_[i].x_q5 - first.x_q5, points_[i].y_q5 - first.y_q5));
+    uint16_t& reach = reach_[i / group_size_];
+    reach = static_cast<uint16_t>(max(reach, (length >> 5) + 1));
+  }
+}
+
 Status BodyShape::make(const DistanceGrid& grid,
                        Span<BodyPoint> room) noexcept {
   if (room.size < kLeastPoints) {
@@ -177,7 +210,10 @@ Status BodyShape::make(const DistanceGrid& grid,
   if (count == 0 || count > room.size) {
     return Status::bad_argument;
   }
+  line_up(room.data, room.data + made.corner_count_);
+  line_up(room.data + made.corner_count_, room.data + count);
   made.points_ = {room.data, count};
+  made.group();
   const auto halves = static_cast<int32_t>(2 * count - made.corner_count_);
   made.spacing_q5_ = max(1, 2 * made.spacing_q5_ / halves);
   for (const BodyPoint& point : made.points_) {

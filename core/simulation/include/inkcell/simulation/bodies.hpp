@@ -54,11 +54,14 @@ struct Body {
   /// step().
   Fixed<int16_t, 14> squash;
   // Written by step() only: the speed of the squash [Q14 a step], and the speed
-  // at which it began [px a step]; how far the body may go at once [px], the
+  // at which it began [px a step]; the part of the step that the body has yet
+  // to move [Q16], and the piece at hand; how far it may go at once [px], the
   // greatest speed of its points [px a step], and its speeds before the solver
   // ran.
   int16_t squash_speed_q14 = 0;
   int32_t fall_q16 = 0;
+  int32_t left_q16 = 0;
+  int32_t piece_q16 = 0;
   int32_t clear_q10 = 0;
   int32_t most_speed_q16 = 0;
   int32_t x_speed_before = 0;
@@ -92,9 +95,10 @@ struct BodyRules {
   /// bodies are not squashed. Only drawn: contacts are those of the body as it
   /// is. 0 to 8192.
   uint16_t squash_q14 = 0;
-  /// The most pieces that a step is divided into, 1 to kMostPieces. Bounds the
-  /// cost of a step: if they are used up, the rest of the step's time is
-  /// dropped. Collisions are never missed.
+  /// The most pieces that a step of a body is divided into, 1 to kMostPieces.
+  /// Bounds the cost of a step: bodies that need more pieces lose the rest of
+  /// the step's time, with all that they touch. Others lose nothing. Collisions
+  /// are never missed.
   uint8_t pieces = 60;
 
   static constexpr int32_t kMostPieces = 60;

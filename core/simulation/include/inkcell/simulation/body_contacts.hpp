@@ -45,32 +45,46 @@ inline int32_t most_bulge_q10(int32_t scale_log2) noexcept {
   return 1360 << (scale_log2 < 1 ? 0 : 1);
 }
 
-/// The distance at a place from the centre of a grid's first sample [px, Q16];
-/// beyond the outermost centres an upper bound. As probe(), without slopes,
-/// which takes a tenth off a frame. [px, Q10]
-inline int32_t distance_at(const BodyShape& shape,
-                           int32_t x,
-                           int32_t y) noexcept {
-  const motion::DistanceGrid& grid = shape.grid();
-  const int32_t shift = 16 + grid.scale_log2();
-  const int32_t right = x - ((grid.width() - 1) << shift);
-  const int32_t below = y - ((grid.height() - 1) << shift);
-  const int32_t across = right > -x ? right : -x;
-  const int32_t down = below > -y ? below : -y;
-  const int32_t out = across > down ? across : down;
-  if (out >= 0) {
-    return -(out >> 6) - shape.margin_q10();
+/// Distances of a shape, as probe() without slopes: what lookups share, so that
+/// loops keep it in registers.
+class ShapeField {
+ public:
+  explicit ShapeField(const BodyShape& shape) noexcept
+      : samples_(shape.grid().row(0)),
+        width_(shape.grid().width()),
+        shift_(16 + shape.grid().scale_log2()),
+        x_end_((shape.grid().width() - 1) << shift_),
+        y_end_((shape.grid().height() - 1) << shift_),
+        margin_q10_(shape.margin_q10()) {}
+
+  /// The distance at a place from the centre of the grid's first sample [px,
+  /// Q16]; beyond the outermost centres an upper bound. [px, Q10]
+  int32_t at(int32_t x, int32_t y) const noexcept {
+    if (static_cast<uint32_t>(x) >= static_cast<uint32_t>(x_end_) ||
+        static_cast<uint32_t>(y) >= static_cast<uint32_t>(y_end_)) {
+      const int32_t across = x - x_end_ > -x ? x - x_end_ : -x;
+      const int32_t down = y - y_end_ > -y ? y - y_end_ : -y;
+      return -((across > down ? across : down) >> 6) - margin_q10_;
+    }
+    const int8_t* top = samples_ + (y >> shift_) * width_ + (x >> shift_);
+    const int8_t* bottom = top + width_;
+    const int32_t x_part = (x >> (shift_ - 8)) & 255;
+    const int32_t y_part = (y >> (shift_ - 8)) & 255;
+    const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
+    const int32_t under = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
+    // A sample stands for the middle of its quantum. [Q13 of a sample]
+    const int32_t sum = above + ((under - above) * y_part >> 8) + 128;
+    return sum * (1 << (shift_ - 16)) >> 3;
   }
-  const int8_t* top = grid.row(y >> shift) + (x >> shift);
-  const int8_t* bottom = top + grid.width();
-  const int32_t x_part = (x >> (shift - 8)) & 255;
-  const int32_t y_part = (y >> (shift - 8)) & 255;
-  const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
-  const int32_t under = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
-  // A sample stands for the middle of its quantum. [Q13 of a sample]
-  const int32_t sum = above + ((under - above) * y_part >> 8) + 128;
-  return sum * (1 << grid.scale_log2()) >> 3;
-}
+
+ private:
+  const int8_t* samples_;
+  int32_t width_;
+  int32_t shift_;
+  int32_t x_end_;
+  int32_t y_end_;
+  int32_t margin_q10_;
+};
 
 /// Shifts a product right and rounds to nearest; the result fits 32 bits.
 inline int32_t scaled(int64_t value, uint32_t shift) noexcept {

@@ -63,6 +63,10 @@ class BodyShape {
   /// points are the first. [px, Q5]
   int32_t spacing_q5() const noexcept { return spacing_q5_; }
   size_t corner_count() const noexcept { return corner_count_; }
+  /// Points are in groups of this many that are next to each other.
+  size_t group_size() const noexcept { return group_size_; }
+  /// An upper bound of the distance of a group's points from its first. [px]
+  int32_t reach_of(size_t group) const noexcept { return reach_[group]; }
   /// A lower bound of the distance from the grid's border to the shape. Added
   /// to distances outside of the grid. [px, Q10]
   int32_t margin_q10() const noexcept { return margin_q10_; }
@@ -71,6 +75,7 @@ class BodyShape {
   bool weigh() noexcept;
   void measure() noexcept;
   size_t spread(int32_t spacing_q5, Span<BodyPoint> room) noexcept;
+  void group() noexcept;
   bool find_edge_point(int32_t column,
                        int32_t row,
                        BodyPoint& out,
@@ -90,6 +95,9 @@ class BodyShape {
   int32_t margin_q10_ = 0;
   int32_t spacing_q5_ = 0;
   size_t corner_count_ = 0;
+  static constexpr size_t kMostGroups = 16;
+  size_t group_size_ = 1;
+  uint16_t reach_[kMostGroups] = {};
 };
 
 }  // namespace inkcell::simulation
