@@ -20,7 +20,6 @@
 #include "model/error.hpp"
 #include "rom_file.hpp"
 #include "shape/points.hpp"
-#include "source/char_set.hpp"
 #include "stroke/nib.hpp"
 
 namespace inkcell::design::editor {
@@ -81,34 +80,6 @@ void check_new(const fs::path& folder) {
 bool order_starts_with_space(const Project& project) {
   const std::vector<std::string> order = glyph_order(project);
   return order.size() > 1 && order.front() == "space";
-}
-
-// Returns what was done, for the user.
-std::string import_project(const fs::path& font,
-                           const fs::path& folder,
-                           const std::vector<std::string>& chars) {
-  if (fs::exists(folder)) {
-    throw Error(folder.string() +
-                ": exists; open it, or name another project for " +
-                font.string());
-  }
-  gen::CharSet characters;
-  for (const std::string& list : chars) {
-    gen::add_ranges(list, characters);
-  }
-  gen::Warnings warnings;
-  const Project project = import_font(font, characters, warnings);
-  UfoFiles files;
-  write_ufo(project, folder, files);
-  std::string text = "Imported " +
-                     std::to_string(project.front().glyphs.size()) +
-                     " glyphs of " + font.filename().string();
-  const std::string left_out = tables_left_out(font);
-  text += left_out.empty() ? "" : "; tables left out: " + left_out;
-  for (const gen::Warning& warning : warnings) {
-    text += "; " + warning.text;
-  }
-  return text;
 }
 
 }  // namespace
@@ -173,9 +144,14 @@ void Editor::open(const fs::path& file,
   if (project.empty()) {
     project = given.filename().replace_extension(".ufo");
   }
-  const std::string text = import_project(given, project, chars);
+  gen::Warnings warnings;
+  const std::string text = import_project(given, project, chars, warnings);
   begin(project);
-  message = {text};
+  message = {text.substr(0, text.find('\n'))};
+  imported = text.substr(message.text.size());
+  for (const gen::Warning& warning : warnings) {
+    imported += "\n" + warning.text;
+  }
 }
 
 void Editor::begin(const fs::path& folder) {

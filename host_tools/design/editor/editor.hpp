@@ -193,6 +193,7 @@ class Editor {
   bool shows_black = false;  // the glyph alone, as Space does
   bool shows_layers = true;  // other layers, behind the default one
   Message message;
+  std::string imported;  // what the last import left out; cleared when read
 
  private:
   // A change that is shown but not run.

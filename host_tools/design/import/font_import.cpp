@@ -13,7 +13,9 @@
 
 #include "export/tables.hpp"
 #include "model/contours.hpp"
+#include "model/error.hpp"
 #include "model/glyph_names.hpp"
+#include "ufo/ufo.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -404,8 +406,6 @@ std::string layout_of(hb_face_t* face, hb_tag_t table) {
          std::to_string(hb_ot_layout_table_get_lookup_count(face, table)) + ")";
 }
 
-}  // namespace
-
 std::string tables_left_out(const std::filesystem::path& path) {
   static const std::set<std::string> known = {
       "head", "hhea", "maxp", "OS/2", "hmtx", "cmap", "loca",
@@ -418,8 +418,7 @@ std::string tables_left_out(const std::filesystem::path& path) {
        ++i) {
     const std::string name = name_of(static_cast<hb_tag_t>(tag));
     if (known.count(name) == 0) {
-      names += (names.empty() ? "" : ", ") + name +
-               (name == "GPOS" ? " except kerning" : "");
+      names += "\n  " + name + (name == "GPOS" ? " except kerning" : "");
       if (name == "GSUB" || name == "GPOS") {
         names += layout_of(file.hb_face(), static_cast<hb_tag_t>(tag));
       }
@@ -428,11 +427,39 @@ std::string tables_left_out(const std::filesystem::path& path) {
   return names;
 }
 
+}  // namespace
+
 Project import_font(const std::filesystem::path& file,
                     const gen::CharSet& characters,
                     gen::Warnings& warnings,
                     Composites composites) {
   return FontImporter(file, warnings).run(characters, composites);
+}
+
+std::string import_project(const std::filesystem::path& file,
+                           const std::filesystem::path& folder,
+                           const std::vector<std::string>& chars,
+                           gen::Warnings& warnings,
+                           Composites composites) {
+  if (std::filesystem::exists(folder)) {
+    throw Error(folder.string() +
+                ": exists; open it, or name another project for " +
+                file.string());
+  }
+  gen::CharSet characters;
+  for (const std::string& list : chars) {
+    gen::add_ranges(list, characters);
+  }
+  const Project project = import_font(file, characters, warnings, composites);
+  UfoFiles files;
+  write_ufo(project, folder, files);
+  const std::string name = file.filename().string();
+  const std::string left_out = tables_left_out(file);
+  return "Imported " + std::to_string(project.front().glyphs.size()) +
+         " glyphs of " + name +
+         (left_out.empty() ? ""
+                           : "\ntables of " + name + " that are left out:") +
+         left_out;
 }
 
 }  // namespace inkcell::design

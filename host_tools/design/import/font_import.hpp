@@ -30,9 +30,14 @@ Project import_font(const std::filesystem::path& file,
                     gen::Warnings& warnings,
                     Composites composites = Composites::keep);
 
-/// The tables of the file that import_font() does not read, for messages, with
-/// the scripts, features and number of lookups of GSUB and GPOS; empty if there
-/// are none.
-std::string tables_left_out(const std::filesystem::path& file);
+/// Makes a project of a font: a folder that does not exist. `chars` are ranges
+/// of characters. Returns for messages what was taken, then line by line the
+/// tables that import_font() does not read, with the scripts, features and
+/// number of lookups of GSUB and GPOS. Throws Error or gen::Error.
+std::string import_project(const std::filesystem::path& file,
+                           const std::filesystem::path& folder,
+                           const std::vector<std::string>& chars,
+                           gen::Warnings& warnings,
+                           Composites composites = Composites::keep);
 
 }  // namespace inkcell::design

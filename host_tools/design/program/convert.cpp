@@ -89,27 +89,12 @@ void run_export(ConvertArguments& arguments) {
 }
 
 void run_import(const ConvertArguments& arguments) {
-  if (fs::exists(arguments.out)) {
-    throw Error(arguments.out + ": exists; name another folder, or remove it");
-  }
-  gen::CharSet characters;
-  for (const std::string& list : arguments.request.chars) {
-    gen::add_ranges(list, characters);
-  }
   gen::Warnings warnings;
-  const Project project = import_font(
-      arguments.font, characters, warnings,
+  const std::string text = import_project(
+      arguments.font, arguments.out, arguments.request.chars, warnings,
       arguments.decompose ? Composites::decompose : Composites::keep);
   say_warnings(warnings);
-  UfoFiles files;
-  write_ufo(project, arguments.out, files);
-  std::printf("%s: %zu glyphs\n", arguments.out.c_str(),
-              project.front().glyphs.size());
-  const std::string left_out = tables_left_out(arguments.font);
-  if (!left_out.empty()) {
-    std::printf("tables of %s that are left out: %s\n", arguments.font.c_str(),
-                left_out.c_str());
-  }
+  std::printf("%s: %s\n", arguments.out.c_str(), text.c_str());
 }
 
 }  // namespace

@@ -257,6 +257,13 @@ class Window:
                 (self.display.server, self.process)) else 0
             time.sleep(0.01)
 
+    def read_import(self):
+        """Ends the dialog of what an import left out."""
+        self.send("mousemove", *REST)
+        shown = self.display.pixels()
+        self.send("key", "Return")
+        wait(lambda: self.display.pixels() != shown, "the dialog stays")
+
     def play(self, session, folder):
         """The steps of a session, each compared with its picture."""
         self.wait_for(picture(folder / "0.ppm"), "opened")
@@ -359,6 +366,7 @@ class WindowTest(unittest.TestCase):
         steps.key("save", "ctrl+s", "ctrl+s")
         steps.run_script(self.scripted)
         window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS)
+        window.read_import()
         window.play(steps, self.scripted)
         for name in ("Mine.ttf", "Mine.bin"):
             window.export(self.live, name)
@@ -477,6 +485,7 @@ class WindowTest(unittest.TestCase):
         self.assertIn("Geometry: 1024x600", geometry)
         journal = self.live / "P.ufo.journal"
         wait(journal.exists, "there is no journal")
+        window.read_import()
         for event in (("mousemove", *SMALL_ADVANCE), ("keydown", "ctrl"),
                       ("click", 1), ("keyup", "ctrl"), ("type", "1234"),
                       ("key", "Return")):
@@ -489,6 +498,7 @@ class WindowTest(unittest.TestCase):
                    "screenshot 2.ppm", scale=2)
         window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS,
                             "--scale", "2", scale=2)
+        window.read_import()
         window.wait_for(picture(self.scripted / "2.ppm"), "at scale 2")
 
 

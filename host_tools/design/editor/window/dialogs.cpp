@@ -252,6 +252,24 @@ const std::vector<Dialog>& dialog_list() {
   return list;
 }
 
+// Begins a dialog that takes all input. Returns whether it is shown, as
+// BeginPopupModal().
+bool begin_modal(const char* name) {
+  ImGui::OpenPopup(name);
+  return ImGui::BeginPopupModal(name, nullptr,
+                                ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+bool is_pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
+
+void draw_wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(px(520));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 bool has_ending(const fs::path& path, const Dialog& dialog) {
   return std::find(dialog.endings.begin(), dialog.endings.end(),
                    path.extension().string()) != dialog.endings.end();
@@ -317,9 +335,7 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
   }
   if (!panels.dialog_problem.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour::corner);
-    ImGui::PushTextWrapPos(px(520));
-    ImGui::TextUnformatted(panels.dialog_problem.c_str());
-    ImGui::PopTextWrapPos();
+    draw_wrapped(panels.dialog_problem);
     ImGui::PopStyleColor();
   }
   if (ImGui::Button(dialog.button, {px(110), 0}) || is_entered) {
@@ -332,8 +348,7 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
     }
   }
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {px(110), 0}) ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+  if (ImGui::Button("Cancel", {px(110), 0}) || is_pressed(ImGuiKey_Escape)) {
     panels.dialog.clear();
     ImGui::CloseCurrentPopup();
   }
@@ -342,22 +357,20 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
 // The question before the program ends.
 void draw_question(Panels& panels) {
   Editor& editor = panels.editor;
-  ImGui::OpenPopup(kQuestion);
-  if (!ImGui::BeginPopupModal(kQuestion, nullptr,
-                              ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (!begin_modal(kQuestion)) {
     return;
   }
   ImGui::Text("%s has changes that are not saved.",
               editor.session().files().folder.filename().string().c_str());
   const auto button = [&panels](const char* label, const char* hint) {
-    const bool is_pressed = ImGui::Button(label, {px(110), 0});
+    const bool is_chosen = ImGui::Button(label, {px(110), 0});
     tooltip(hint);
     ImGui::SameLine();
-    if (is_pressed) {
+    if (is_chosen) {
       panels.dialog.clear();
       ImGui::CloseCurrentPopup();
     }
-    return is_pressed;
+    return is_chosen;
   };
   if (button("Save", "Saves the project and quits")) {
     attempt(editor, [&] {
@@ -372,8 +385,7 @@ void draw_question(Panels& panels) {
   if (button("Keep", "Quits; the changes are there when it is opened again")) {
     panels.wants_quit = true;
   }
-  if (button("Cancel", "Goes back") ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+  if (button("Cancel", "Goes back") || is_pressed(ImGuiKey_Escape)) {
     panels.dialog.clear();
   }
   ImGui::EndPopup();
@@ -381,10 +393,7 @@ void draw_question(Panels& panels) {
 
 // The question before a glyph loses its strokes or parts.
 void draw_outline_question(Editor& editor) {
-  constexpr const char* kTitle = "Turn into an outline?";
-  ImGui::OpenPopup(kTitle);
-  if (!ImGui::BeginPopupModal(kTitle, nullptr,
-                              ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (!begin_modal("Turn into an outline?")) {
     return;
   }
   ImGui::TextUnformatted(
@@ -395,10 +404,23 @@ void draw_outline_question(Editor& editor) {
   if (is_wanted) {
     attempt(editor, [&] { editor.make_outline(); });
   } else if (ImGui::Button("Cancel", {px(110), 0}) ||
-             ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+             is_pressed(ImGuiKey_Escape)) {
     editor.pending.reset();
   }
   if (!editor.pending) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void draw_imported(Editor& editor) {
+  if (!begin_modal("Imported")) {
+    return;
+  }
+  draw_wrapped(editor.message.text + editor.imported);
+  if (ImGui::Button("OK", {px(110), 0}) || is_pressed(ImGuiKey_Enter) ||
+      is_pressed(ImGuiKey_Escape)) {
+    editor.imported.clear();
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
@@ -413,8 +435,7 @@ void draw_apply_or_cancel(Panels& panels) {
   if (is_applied) {
     attempt(editor, [&] { editor.commit(); });
   } else if (!ImGui::Button("Cancel", {px(110), 0}) &&
-             (ImGui::IsAnyItemActive() ||
-              !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))) {
+             (ImGui::IsAnyItemActive() || !is_pressed(ImGuiKey_Escape))) {
     return;
   }
   editor.propose(nullptr);
@@ -449,6 +470,10 @@ void draw_dialogs(Panels& panels) {
     draw_outline_question(panels.editor);
     return;
   }
+  if (!panels.editor.imported.empty()) {
+    draw_imported(panels.editor);
+    return;
+  }
   for (const auto& [name, draw] : {std::pair(kQuestion, &draw_question),
                                    {kTransform, &draw_transform},
                                    {kWeight, &draw_weight}}) {
@@ -461,9 +486,7 @@ void draw_dialogs(Panels& panels) {
     if (panels.dialog != dialog.name) {
       continue;
     }
-    ImGui::OpenPopup(dialog.name);
-    if (ImGui::BeginPopupModal(dialog.name, nullptr,
-                               ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (begin_modal(dialog.name)) {
       draw_dialog(panels, dialog);
       ImGui::EndPopup();
       return;

@@ -75,7 +75,8 @@ void handle_window_key(Panels& panels, const std::string& key) {
     if (panels.editor.is_open() || key == "ctrl+n" || key == "ctrl+o") {
       open_dialog(panels, dialog->second);
     }
-  } else if (panels.dialog.empty() && !panels.editor.pending) {
+  } else if (panels.dialog.empty() && !panels.editor.pending &&
+             panels.editor.imported.empty()) {
     attempt(panels.editor, [&] { press_key(panels.editor, key); });
   }
 }
@@ -130,6 +131,7 @@ void write_screenshot(Editor& editor,
     return static_cast<int>(static_cast<float>(pixels) * scale);
   };
   tools::Screen screen(side(kPictureWidth), side(kPictureHeight), scale);
+  editor.imported.clear();
   Panels panels(editor, screen.textures());
   if (editor.glyph() != nullptr) {
     panels.preview =
