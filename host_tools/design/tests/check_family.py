@@ -2,9 +2,12 @@
 eight letters, a Bold master of them, an axis, and a variable font by fontmake.
 
 Usage: check_family.py INKCELL_EDITOR INKCELL_RENDER INKCELL_FONTGEN
+                       INKCELL_ANIMATE [PICTURES]
 
-FreeType, HarfBuzz and inkcell-fontgen open the font. Exits with 77 where a
-Debian package is missing; it says which.
+FreeType, HarfBuzz and inkcell-fontgen open the font; the watch of the reel shows
+it, and the OLED of an emulated board where its compiler and QEMU are installed.
+Writes family_oled.png and family_watch.png to the folder PICTURES. Exits with 77
+where a Debian package is missing; it says which.
 """
 import json
 import pathlib
@@ -24,6 +27,10 @@ if shutil.which("hb-shape") is None:
     print("skipped: hb-shape is missing; install libharfbuzz-bin")
     sys.exit(77)
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.append(str(ROOT / "host_tools/screens"))
+
+import screens
 from check_window import (HEIGHT, REST, SELECTED_TEXT, WIDTH, Letters, Window)
 from problems import expect, finish
 from xvfb import Display, wait
@@ -35,6 +42,12 @@ PICTURE = 494, 381       # of the first glyph in Add component [px]
 PICTURES = 49            # from one to the next one [px]
 STEMS = 60               # that Bold's stems are wider by [units]
 WEIGHTS = 400, 500, 700
+BOARD = "lm3s6965evb"
+OLED_SCALE = 4           # QEMU's pixels for one of the OLED
+OLED_LINE = 21           # of its text [px], of OLED_PX px/em
+OLED_PX = 18
+WATCH_S = 0.5            # of the reel [s]
+OLED_INK = 0.03          # that 16 greys take or add, of a line
 
 
 class PickedLetters(Letters):
@@ -115,6 +128,55 @@ def stem(face, letter, weight, height):
     return sum(bitmap.buffer[row * bitmap.pitch:(row + 1) * bitmap.pitch]) / 255
 
 
+def draw_on_oled(folder, fontgen):
+    """Three lines of text, each of one weight: their ink [px]; and the picture."""
+    build = folder / "oled"
+    run("cmake", "-G", "Ninja", "-S", pathlib.Path(__file__).parent /
+        "family_board", "-B", build, "-DCMAKE_BUILD_TYPE=MinSizeRel",
+        f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/boards/{BOARD}/toolchain.cmake",
+        f"-DINKCELL_FONTGEN={fontgen}", f"-DFAMILY={folder / 'V.ttf'}",
+        f"-DCHARS={Letters.CHARS}", cwd=folder)
+    run("cmake", "--build", build, cwd=folder)
+    picture, _ = screens.run_and_shoot([BOARD, build / "family.elf"], "",
+                                       screens.wait_until_ready, folder)
+    greys = picture.pixels[::3]
+    row = OLED_LINE * OLED_SCALE * picture.width
+    return [sum(greys[i * row:(i + 1) * row]) / 255 / OLED_SCALE ** 2
+            for i in range(len(WEIGHTS))], picture
+
+
+def check_oled(folder, fontgen, pictures):
+    """The board's ink is that of the same font ROM on this machine."""
+    if not shutil.which("arm-none-eabi-g++") or not shutil.which(
+            "qemu-system-arm"):
+        print("no OLED: gcc-arm-none-eabi or qemu-system-arm is missing")
+        return
+    render = pathlib.Path(sys.argv[2]).resolve()
+    inks, picture = draw_on_oled(folder, fontgen)
+    picture.save_png(pictures / "family_oled.png")
+    for weight, ink in zip(WEIGHTS, inks):
+        run(render, "--font", f"{weight}.bin", "--text", Letters.TEXT, "--px",
+            OLED_PX, "--filter", "area", "--ox", 2, "--oy", OLED_PX, "--width",
+            128, "--height", 2 * OLED_PX, "--out", "line.pgm", cwd=folder)
+        greys = (folder / "line.pgm").read_bytes().split(b"\n", 3)[3]
+        wanted = sum(greys) / 255
+        expect(abs(ink - wanted) <= OLED_INK * wanted,
+               f"{ink:.0f} px of ink on the OLED at {weight}, not {wanted:.0f}")
+    print(f"ink on the OLED: {[round(ink) for ink in inks]} px")
+
+
+def check_watch(folder, animate, pictures):
+    """The watch shows the word of the reel in Regular and in Bold."""
+    shown = []
+    for weight in WEIGHTS[0], WEIGHTS[-1]:
+        file = pictures / "family_watch.png"
+        run(animate, "reel", "--font", "V.ttf", "--axis", f"wght={weight}",
+            "--text", "blind", "--from", WATCH_S, "--seconds", 0, "--format",
+            "sheet", "--out", file, cwd=folder)
+        shown.append(file.read_bytes())
+    expect(shown[0] != shown[1], "the watch shows one weight only")
+
+
 def main():
     fontgen = pathlib.Path(sys.argv[3]).resolve()
     with tempfile.TemporaryDirectory() as name:
@@ -159,6 +221,10 @@ def main():
                 "--chars", Letters.CHARS, "--out", out, cwd=folder)
             fonts.append(out.read_bytes())
         expect(len(set(fonts)) == 3, "inkcell-fontgen makes one weight only")
+        pictures = pathlib.Path(sys.argv[5] if len(sys.argv) > 5 else folder)
+        check_oled(folder, fontgen, pictures.resolve())
+        check_watch(folder, pathlib.Path(sys.argv[4]).resolve(),
+                    pictures.resolve())
         print(f"'{Letters.TEXT}' is {widths} units wide at {WEIGHTS}")
     finish()
 
