@@ -8,6 +8,7 @@
 #include "morph/match_mirrored.hpp"
 #include "morph/morph_look.hpp"
 #include "morph/morph_loop.hpp"
+#include "morph/morph_thorns.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
@@ -26,6 +27,9 @@ using Fates = std::vector<size_t>;
 using Fars = std::vector<double>;
 const Fars kFewFars_u = {kUsualFar_u, 140, 500, 1000};
 const Fars kMoreFars_u = {60, 80, 110, 180, 350, 700, 1500, 2500};
+// Prices of askew edges; the less, the more plans that are clean and thorny.
+constexpr double kTurnings[] = {2, 0.7, 0};
+constexpr double kSmallThorns = 10;  // see thorns_of()
 constexpr double kSmallAreaError = 0.02;
 constexpr size_t kMostRepaired = 4;
 constexpr int kMostRepairs = 8;
@@ -46,6 +50,7 @@ struct Plan {
   MorphPair pair;
   MorphQuality quality;
   int blemishes = -1;  // not known
+  double thorns = 0;
   bool is_mirrored = false;
   double cost = 0;
   // What it came from, to try again.
@@ -59,9 +64,11 @@ struct Plan {
 void judge(Plan& plan) {
   constexpr double kCrossing = 400;
   constexpr double kAreaError = 15000;
+  constexpr double kThorn = 50;
   plan.quality = quality_of(plan.pair);
+  plan.thorns = thorns_of(plan.pair);
   plan.cost =
-      priced(plan.pair) +
+      priced(plan.pair) + kThorn * plan.thorns +
       kCrossing * static_cast<double>(plan.quality.crossings.size()) +
       kAreaError * std::max(0.0, plan.quality.area_error - kSmallAreaError);
 }
@@ -176,19 +183,12 @@ class BodyMorph {
 
   // The best plan first.
   std::vector<Plan> find() {
-    const std::pair<const Fars&, int> kTries[] = {
-        {kFewFars_u, 4}, {kMoreFars_u, 4}, {kFewFars_u, 8}};
-    for (const auto& [fars_u, parts] : kTries) {
-      for (const double far_u : fars_u) {
-        plan(far_u, parts);
-      }
-      if (look()) {
-        return take();
+    for (const double turning : kTurnings) {
+      plans_.clear();
+      if (search(turning)) {
+        break;
       }
     }
-    std::stable_sort(plans_.begin(), plans_.end(), is_better);
-    repair();
-    look();
     return take();
   }
 
@@ -224,17 +224,38 @@ class BodyMorph {
     }
   }
 
-  // Whether a good plan shows no blemish.
-  bool look() {
-    bool is_clean = false;
+  // Whether a good plan shows no blemish: with few thorns, if they cost.
+  bool search(double turning) {
+    const std::pair<const Fars&, int> kTries[] = {
+        {kFewFars_u, 4}, {kMoreFars_u, 4}, {kFewFars_u, 8}};
+    for (const auto& [fars_u, parts] : kTries) {
+      for (const double far_u : fars_u) {
+        plan(far_u, parts, turning);
+      }
+      look();
+      if (has_clean(turning > 0 ? kSmallThorns : kInfinity)) {
+        return true;
+      }
+    }
+    std::stable_sort(plans_.begin(), plans_.end(), is_better);
+    repair();
+    look();
+    return has_clean(kInfinity);
+  }
+
+  bool has_clean(double most_thorns) const {
+    return std::any_of(plans_.begin(), plans_.end(), [&](const Plan& plan) {
+      return plan.is_clean() && plan.thorns <= most_thorns;
+    });
+  }
+
+  void look() {
     for (Plan& plan : plans_) {
       if (plan.is_good() && plan.blemishes < 0) {
         plan.blemishes = blemished_frames(plan.pair);
         judge_thickness(plan);
       }
-      is_clean = is_clean || plan.is_clean();
     }
-    return is_clean;
   }
 
   std::vector<Plan> take() {
@@ -242,10 +263,11 @@ class BodyMorph {
     return std::move(plans_);
   }
 
-  void plan(double far_u, int parts) {
+  void plan(double far_u, int parts, double turning) {
     MatchOptions options;
     options.far_u = far_u;
     options.parts = parts;
+    options.turning = turning;
     add_plans(match_loops(bodies_[0]->outer, bodies_[1]->outer, options),
               options, false);
     if (const std::optional<LoopMatch> mirrored =

@@ -49,6 +49,48 @@ Advances advances_of(const Loop& loop, const std::vector<LoopStop>& stops) {
   return all;
 }
 
+// The directions of a loop before and behind a stop.
+struct Corner {
+  Point in;
+  Point out;
+};
+
+Point direction_at(const Point (&p)[3], bool is_end) {
+  const Point d = is_end ? p[2] - p[1] : p[1] - p[0];
+  return length(d) > 1e-6 ? d : p[2] - p[0];
+}
+
+std::vector<Corner> corners_of(const Loop& loop,
+                               const std::vector<LoopStop>& stops) {
+  std::vector<Corner> corners;
+  for (const LoopStop& stop : stops) {
+    const auto k = static_cast<size_t>(stop.edge);
+    const LoopEdge& edge = loop[k];
+    const bool is_begin = stop.eighth == edge.from;
+    const LoopEdge in = is_begin ? loop[(k + loop.size() - 1) % loop.size()]
+                                 : part_of(edge, edge.from, stop.eighth);
+    const LoopEdge out = is_begin ? edge : part_of(edge, stop.eighth, edge.to);
+    corners.push_back({direction_at(in.p, true), direction_at(out.p, false)});
+  }
+  return corners;
+}
+
+double turn_of(const Point& a, const Point& b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b)));
+}
+
+// What an edge turns, where it grows out of a corner of the other loop, beyond
+// that corner: times its length, as that of the spike. [u]
+double askew(const Corner& corner, const Advance& grown) {
+  if (grown.length < 1e-6) {
+    return 0;
+  }
+  const Point first = direction_at(grown.side.p, false);
+  const Point last = direction_at(grown.side.p, true);
+  return grown.length * (turn_of(corner.in, first) + turn_of(last, corner.out) +
+                         turn_of(first, last) - turn_of(corner.in, corner.out));
+}
+
 size_t most_advances(const Advances& all) {
   size_t most = 0;
   for (const auto& list : all) {
@@ -87,13 +129,14 @@ class Matcher {
       : loops_{&a, &b},
         stops_{stops_of(a, options.parts), stops_of(b, options.parts)},
         advances_{advances_of(a, stops_[0]), advances_of(b, stops_[1])},
+        corners_{corners_of(a, stops_[0]), corners_of(b, stops_[1])},
         n_{stops_[0].size(), stops_[1].size()},
         end_{n_[0], n_[1]},
         most_{most_advances(advances_[0]), most_advances(advances_[1])} {
     costs_.resize(n_[0] * n_[1] * most_[0] * most_[1]);
     for (size_t i = 0; i < n_[0]; ++i) {
       for (size_t j = 0; j < n_[1]; ++j) {
-        fill(i, j, options.far_u);
+        fill(i, j, options);
       }
     }
     for (const MatchOptions::Penalty& penalty : options.penalties) {
@@ -148,14 +191,16 @@ class Matcher {
     return costs_.data() + (i * n_[1] + j) * most_[0] * most_[1];
   }
 
-  void fill(size_t i, size_t j, double far_u) {
+  void fill(size_t i, size_t j, const MatchOptions& options) {
     float* const at = costs(i, j);
     for (size_t x = 0; x < advances_[0][i].size(); ++x) {
       for (size_t y = 0; y < advances_[1][j].size(); ++y) {
         const Advance& a = advances_[0][i][x];
         const Advance& b = advances_[1][j][y];
         at[x * most_[1] + y] = static_cast<float>(
-            cost_of(a.side.p, b.side.p, a.length, b.length, far_u) +
+            cost_of(a.side.p, b.side.p, a.length, b.length, options.far_u) +
+            (x == 0 ? options.turning * askew(corners_[0][i], b) : 0) +
+            (y == 0 ? options.turning * askew(corners_[1][j], a) : 0) +
             kPieceCost + (a.is_cut ? kStopCost : 0) +
             (b.is_cut ? kStopCost : 0));
       }
@@ -278,6 +323,7 @@ class Matcher {
   const Loop* loops_[2];
   std::vector<LoopStop> stops_[2];
   Advances advances_[2];
+  std::vector<Corner> corners_[2];
   size_t n_[2];
   size_t end_[2];  // where the match is complete
   size_t most_[2];

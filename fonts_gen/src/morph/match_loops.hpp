@@ -15,6 +15,7 @@ struct MatchOptions {
   int parts = 4;         // of a long edge, see stops_of()
   bool by_edges = true;  // loops whose edges run alike, see match_loops()
   double far_u = kUsualFar_u;
+  double turning = 0;  // price of an edge that grows askew out of a point
   /// Stops of both loops where pieces shall not begin, with their price.
   struct Penalty {
     int stop[2];
