@@ -207,7 +207,8 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
                           "(outline) Characters whose outlines morph into "
                           "each other, each into each: 0123456789; groups are "
                           "parted by blanks: '01 12 23'; about 30 bytes a "
-                          "pair; repeatable"))
+                          "pair; 'points:ab' pairs drawings point by point; "
+                          "repeatable"))
       ->type_name("STRING");
   app.add_flag("--colour", request.has_colours,
                "(outline) Keep the colours of drawings and of colour fonts: "

@@ -184,10 +184,14 @@ bool is_good(const MorphPair& pair) {
 
 }  // namespace
 
+bool have_equal_points(const Outline& a, const Outline& b) {
+  return correspond(a, b, equal_kinds);
+}
+
 std::optional<MorphPair> find_master_morph(const Outline& first,
                                            const Outline& second,
                                            const Outline (&masters)[2]) {
-  if (!correspond(masters[0], masters[1], equal_kinds)) {
+  if (!have_equal_points(masters[0], masters[1])) {
     return std::nullopt;
   }
   const std::vector<Loop> loops[] = {loops_of(first), loops_of(second)};

@@ -1,4 +1,4 @@
-// The way from one master of a glyph to another.
+// The way from one master of a glyph to another, by the numbers of points.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,9 @@ namespace inkcell::gen {
 
 /// Morphs of masters whose area deviates by more are refused.
 inline constexpr double kMostMasterAreaError = 0.03;
+
+/// Whether both have the same contours of the same lines and curves.
+bool have_equal_points(const Outline& a, const Outline& b);
 
 /// Pairs `first` with `second`: outlines of lines and quadratics that were
 /// fitted to two masters of one glyph. The points of the masters correspond by

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "morph/find_morph.hpp"
@@ -16,20 +17,33 @@
 namespace inkcell::gen {
 namespace {
 
-// The characters of each group: blanks part them.
-std::vector<CharSet> groups_of(const GenerateRequest& request) {
-  std::vector<CharSet> groups;
+// Characters whose glyphs are paired.
+struct Group {
+  CharSet characters;
+  bool by_points = false;  // see find_master_morph()
+};
+
+// Blanks part them.
+std::vector<Group> groups_of(const GenerateRequest& request) {
+  constexpr std::string_view kByPoints = "points:";
+  std::vector<Group> groups;
   for (const std::string& text : request.morphs) {
     std::istringstream words(text);
     std::string word;
     while (words >> word) {
-      CharSet group;
-      add_text(word, "--morph", group);
-      if (group.size() < 2) {
-        throw Error("--morph " +
-                    (group.empty() ? word : describe(*group.begin())) +
-                    ": a glyph morphs into another one; name at least two "
-                    "characters, such as 01");
+      Group group;
+      group.by_points = word.rfind(kByPoints, 0) == 0;
+      if (group.by_points) {
+        word.erase(0, kByPoints.size());
+      }
+      const CharSet& characters = group.characters;
+      add_text(word, "--morph", group.characters);
+      if (characters.size() < 2) {
+        throw Error(
+            "--morph " +
+            (characters.empty() ? word : describe(*characters.begin())) +
+            ": a glyph morphs into another one; name at least two "
+            "characters, such as 01");
       }
       groups.push_back(std::move(group));
     }
@@ -38,13 +52,14 @@ std::vector<CharSet> groups_of(const GenerateRequest& request) {
 }
 
 using GlyphPair = std::pair<uint16_t, uint16_t>;
+using GlyphPairs = std::map<GlyphPair, bool>;  // whether by points
 
-std::set<GlyphPair> pairs_of(const std::vector<CharSet>& groups,
-                             const RomContent& content) {
-  std::set<GlyphPair> pairs;
-  for (const CharSet& group : groups) {
+void add_pairs(const std::vector<Group>& groups,
+               const RomContent& content,
+               GlyphPairs& pairs) {
+  for (const Group& group : groups) {
     std::set<uint16_t> glyphs;
-    for (const char32_t c : group) {
+    for (const char32_t c : group.characters) {
       const auto found = content.glyph_of.find(c);
       // Characters that are missing have their warning.
       if (found != content.glyph_of.end() &&
@@ -54,11 +69,10 @@ std::set<GlyphPair> pairs_of(const std::vector<CharSet>& groups,
     }
     for (auto first = glyphs.begin(); first != glyphs.end(); ++first) {
       for (auto second = std::next(first); second != glyphs.end(); ++second) {
-        pairs.emplace(*first, *second);
+        pairs[{*first, *second}] |= group.by_points;
       }
     }
   }
-  return pairs;
 }
 
 // As docs/FORMAT.md numbers the points of a contour, from `first` on: its
@@ -104,25 +118,43 @@ SegmentPoints numbers_of(const RomContent& content, size_t glyph) {
   return numbers;
 }
 
+std::string count_of(const SourceGlyph& glyph) {
+  size_t count = 0;
+  for (const Contour& contour : glyph.outline.contours) {
+    count += contour.segments.size();
+  }
+  return glyph.name() + " has " + std::to_string(count) + " in " +
+         std::to_string(glyph.outline.contours.size()) + " contours";
+}
+
 std::optional<MorphPair> find_pair(const SourceFont& font,
                                    const RomContent& content,
-                                   const GlyphPair& glyphs) {
+                                   const GlyphPair& glyphs,
+                                   bool by_points) {
   const Outline first = decoded_outline(content, glyphs.first);
   const Outline second = decoded_outline(content, glyphs.second);
-  if (!font.glyphs[glyphs.second].master.empty()) {
-    auto pair = find_master_morph(first, second,
-                                  {font.glyphs[glyphs.first].outline,
-                                   font.glyphs[glyphs.second].outline});
-    if (pair) {
-      return pair;
-    }
+  if (!by_points) {
+    return find_morph(first, second);
   }
-  return find_morph(first, second);
+  const SourceGlyph* const sources[] = {&font.glyphs[glyphs.first],
+                                        &font.glyphs[glyphs.second]};
+  const bool is_master = !sources[1]->master.empty();
+  if (!is_master &&
+      !have_equal_points(sources[0]->outline, sources[1]->outline)) {
+    throw Error("--morph points: " + count_of(*sources[0]) + ", " +
+                count_of(*sources[1]) +
+                ": both need the same contours of the same lines and curves, "
+                "in the same order; draw them so, or leave 'points:' out");
+  }
+  auto pair = find_master_morph(first, second,
+                                {sources[0]->outline, sources[1]->outline});
+  return pair || !is_master ? pair : find_morph(first, second);
 }
 
 RomMorph make_morph(const SourceFont& font,
                     const RomContent& content,
-                    const GlyphPair& glyphs) {
+                    const GlyphPair& glyphs,
+                    bool by_points) {
   RomMorph morph;
   morph.first = glyphs.first;
   morph.second = glyphs.second;
@@ -137,7 +169,7 @@ RomMorph make_morph(const SourceFont& font,
     return morph;
   }
   try {
-    if (const auto pair = find_pair(font, content, glyphs)) {
+    if (const auto pair = find_pair(font, content, glyphs, by_points)) {
       morph.record = morph_record(*pair, numbers);
       morph.points =
           morph_points(*pair) + numbers[0].back() + numbers[1].back() + 2;
@@ -149,8 +181,8 @@ RomMorph make_morph(const SourceFont& font,
 }
 
 // The plain glyphs with their second masters, and where these begin.
-std::set<GlyphPair> master_pairs(const SourceFont& font, size_t& begin) {
-  std::set<GlyphPair> pairs;
+GlyphPairs master_pairs(const SourceFont& font, size_t& begin) {
+  GlyphPairs pairs;
   std::map<std::pair<size_t, uint32_t>, uint16_t> plain;
   begin = 0;
   for (size_t i = 0; i < font.glyphs.size(); ++i) {
@@ -162,7 +194,7 @@ std::set<GlyphPair> master_pairs(const SourceFont& font, size_t& begin) {
       continue;
     }
     begin = begin == 0 ? i : begin;
-    pairs.emplace(plain.at(key), id);
+    pairs[{plain.at(key), id}] = true;
   }
   return pairs;
 }
@@ -198,8 +230,8 @@ void tell_of_missing(const std::vector<std::string>& pairs,
 }  // namespace
 
 void add_morph_characters(const GenerateRequest& request, CharSet& characters) {
-  for (const CharSet& group : groups_of(request)) {
-    characters.insert(group.begin(), group.end());
+  for (const Group& group : groups_of(request)) {
+    characters.insert(group.characters.begin(), group.characters.end());
   }
 }
 
@@ -207,12 +239,12 @@ void add_morphs(const GenerateRequest& request,
                 const SourceFont& font,
                 RomContent& content,
                 Warnings& warnings) {
-  std::set<GlyphPair> set = master_pairs(font, content.first_master);
-  set.merge(pairs_of(groups_of(request), content));
-  const std::vector<GlyphPair> pairs(set.begin(), set.end());
+  GlyphPairs map = master_pairs(font, content.first_master);
+  add_pairs(groups_of(request), content, map);
+  const std::vector<std::pair<GlyphPair, bool>> pairs(map.begin(), map.end());
   std::vector<RomMorph> morphs(pairs.size());
   parallel_for(pairs.size(), request.threads, [&](size_t i) {
-    morphs[i] = make_morph(font, content, pairs[i]);
+    morphs[i] = make_morph(font, content, pairs[i].first, pairs[i].second);
   });
   std::vector<std::string> missing_pairs;
   std::vector<std::string> missing_masters;

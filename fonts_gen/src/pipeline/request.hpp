@@ -61,7 +61,7 @@ struct GenerateRequest {
   /// Whether an outline font says what grid fitting needs.
   bool hints = true;
   /// Groups of characters, UTF-8, parted by blanks: all of a group morph into
-  /// each other.
+  /// each other. After "points:", point by point.
   std::vector<std::string> morphs;
   /// Scripts that the device shapes, as parse_shape_scripts() reads them.
   std::string shapes;
