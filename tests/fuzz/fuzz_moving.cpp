@@ -214,7 +214,8 @@ void use_grids(const Font& font, Choices& choices) {
   flow.y_drift = choices.q16();
   advect(first.grid, flow, next.grid);
   redistance(next.grid, first.grid);
-  wind(first.grid, vortices[0], next.grid);
+  const int32_t left = choices.number();
+  wind(first.grid, left, choices.number(), vortices[0], next.grid);
   Melting melting;
   melting.floor = choices.q6();
   melting.drip = choices.q6();

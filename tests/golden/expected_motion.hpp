@@ -14,7 +14,7 @@ inline constexpr const char* kFigure13Hash =
 inline constexpr const char* kFigure14Hash =
     "e426b0d74548182176897fa9d1133449aa105b92a0a0026c681302e842b540e2";
 inline constexpr const char* kFigure15Hash =
-    "69e61a79e535d0adb536392831f0af941df2f0bb2a6328bc23caf706043759fb";
+    "7c86ebe19f3219bc694f7b53ba14106b6cc4ce8c25598533cd565f1974d15b3b";
 inline constexpr const char* kMeltHash =
     "d8f7bda588de1a65f5e53cc6a60d5c796a0078146ee0194b98a6d7fd792439dd";
 inline constexpr const char* kPrintHash =

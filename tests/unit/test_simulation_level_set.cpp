@@ -133,15 +133,15 @@ TEST(a_vortex_winds_and_unwinds) {
   vortex.x = Q16_16::from_int(40);
   vortex.y = Q16_16::from_int(44);
   vortex.core = 10;
-  wind(grid, vortex, next);
+  wind(grid, 0, 0, vortex, next);
   CHECK_EQ(difference(next, before), 0);
   // A turn and a half of the centre.
   vortex.strength = 100 * 1608 * 3 / 2;
-  wind(grid, vortex, next);
+  wind(grid, 0, 0, vortex, next);
   CHECK(difference(next, before) > before.area() / 2);
   CHECK(magnitude(next.area() - before.area()) <= before.area() * 5 / 100);
   vortex.strength = -vortex.strength;
-  wind(next, vortex, grid);
+  wind(next, 0, 0, vortex, grid);
   CHECK(difference(grid, before) <= before.area() * 15 / 100);
   // A step is one of a flow.
   paint(kEllGlyph, grid);
@@ -150,8 +150,19 @@ TEST(a_vortex_winds_and_unwinds) {
   flow.vortices = {&vortex, 1};
   advect(grid, flow, next);
   DistanceGrid wound(original, kSide, kSide, 0);
-  wind(grid, vortex, wound);
+  wind(grid, 0, 0, vortex, wound);
   CHECK(difference(next, wound) <= grid.area() / 100);
+  // The shape's part of a grid is enough.
+  const Rect box = grid.known_box();
+  const int32_t width = box.x1 - box.x0;
+  DistanceGrid part(second, width, box.y1 - box.y0, 0);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      part.row(y - box.y0)[x - box.x0] = grid.at(x, y);
+    }
+  }
+  wind(part, box.x0, box.y0, vortex, grid);
+  CHECK_EQ(difference(grid, wound), 0);
 }
 
 TEST(vortices_turn_counter_clockwise) {
@@ -289,7 +300,7 @@ TEST(hostile_flows_do_no_harm) {
     flow.x_drift.raw = random.any();
     flow.y_drift.raw = random.any();
     advect(grid, flow, next);
-    wind(grid, vortices[0], next);
+    wind(grid, random.any(), random.any(), vortices[0], next);
     redistance(grid, next);
     redistance(next, grid);
     Melting how;

@@ -68,17 +68,21 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
   Span<int8_t> memory = setting.memory.grid;
   grid_ = take_grid(memory, width_, height_, scale_for(width_));
   next_ = take_grid(memory, width_, height_, scale_for(width_));
+  letter_ = take_grid(memory, letter_width(width_), letter_height(height_),
+                      scale_for(width_));
+  left_ = (grid_.width() - letter_.width()) / 2;
+  top_ = (grid_.height() - letter_.height()) / 2;
 }
 
-// 5/8 of the height and 3/4 of the width, in the middle: less if the letter
-// would leave the screen when it is turned.
-bool VortexScene::paint(DistanceGrid& grid) noexcept {
+// Just below half of the height, and 5/8 of the width, in the middle: less if
+// the letter would leave the screen when it is turned.
+bool VortexScene::paint_letter() noexcept {
   TextPlace place;
   int32_t part_q8 = 256;
   int32_t room = 0;
   for (; room < 1 && part_q8 > 32; part_q8 -= 16) {
-    if (!find_place(font_, text_, width_, height_, 192 * part_q8 >> 8,
-                    160 * part_q8 >> 8, place)) {
+    if (!find_place(font_, text_, width_, height_, 160 * part_q8 >> 8,
+                    120 * part_q8 >> 8, place)) {
       return false;
     }
     const PixelMeasure ink = Painter().measure(font_, Style(place.size), text_);
@@ -87,21 +91,25 @@ bool VortexScene::paint(DistanceGrid& grid) noexcept {
     const int32_t side = (width_ < height_ ? width_ : height_) * 15 / 16;
     room = side * side - across * across - down * down;
   }
-  return paint_text(font_, text_, place, workspace_, grid);
+  const int32_t side_q6 = 64 << letter_.scale_log2();
+  place.origin.x.raw -= left_ * side_q6;
+  place.origin.y.raw -= top_ * side_q6;
+  return paint_text(font_, text_, place, workspace_, letter_);
 }
 
 Status VortexScene::open() noexcept {
-  if (grid_.width() == 0 || next_.width() == 0) {
+  if (letter_.width() == 0) {
     return Status::buffer_small;
   }
-  if (!paint(grid_)) {
+  if (!paint_letter()) {
     return Status::bad_argument;
   }
-  area_ = grid_.area();
-  // Wound up, strokes thinner than 6 samples would be dotted: the more there
+  wind(letter_, left_, top_, Vortex(), grid_);
+  area_ = letter_.area();
+  // Wound up, strokes thinner than 4 samples would be dotted: the more there
   // are, the less the vortex turns.
-  const int32_t edge = length_at(grid_, 0);
-  const int32_t inner = length_at(grid_, 3 * 32 - 1);
+  const int32_t edge = length_at(letter_, 0);
+  const int32_t inner = length_at(letter_, 2 * 32 - 1);
   const int32_t most = kMostTurn / (edge + 1) * inner;
   most_turn_ = most < kMostTurn / 2 ? kMostTurn / 2
                : most < kMostTurn   ? most
@@ -121,17 +129,16 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
   if (!has_changed_) {
     return;
   }
-  static_cast<void>(paint(grid_));  // open() has tried
+  Vortex vortex;
+  vortex.x.raw = grid_.width() << 15;
+  vortex.y.raw = grid_.height() << 15;
+  vortex.core = grid_.height() * 3 / 20;
+  // 2 pi in Q8 is 1608.
+  vortex.strength = static_cast<int32_t>(
+      int64_t{vortex.core * vortex.core * 1608} * turn_ >> 16);
+  wind(letter_, left_, top_, vortex, turn_ == 0 ? grid_ : next_);
   cutoff_ = {};
   if (turn_ != 0) {
-    Vortex vortex;
-    vortex.x.raw = grid_.width() << 15;
-    vortex.y.raw = grid_.height() << 15;
-    vortex.core = grid_.height() / 5;
-    // 2 pi in Q8 is 1608.
-    vortex.strength = static_cast<int32_t>(
-        int64_t{vortex.core * vortex.core * 1608} * turn_ >> 16);
-    wind(grid_, vortex, next_);
     redistance(next_, grid_);
     const int32_t ink = 256 - ((256 - kLeastInk) * turned >> 16);
     cutoff_ = cutoff_for(grid_, area_ / 256 * ink, scratch_);

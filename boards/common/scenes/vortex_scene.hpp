@@ -21,7 +21,10 @@ class VortexScene : public SceneBase {
     return width > 400 ? 2 : width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    return {2 * samples_for(width, height, scale_for(width)), 0, 0};
+    const int32_t scale = scale_for(width);
+    return {2 * samples_for(width, height, scale) +
+                samples_for(letter_width(width), letter_height(height), scale),
+            0, 0};
   }
 
   explicit VortexScene(const SceneSetting& setting) noexcept;
@@ -41,12 +44,23 @@ class VortexScene : public SceneBase {
   void tell_state(const StateSink& sink) const noexcept;
 
  private:
-  bool paint(motion::DistanceGrid& grid) noexcept;
+  // The pixels of the letter's grid: those of its ink, and of 5 samples around.
+  static constexpr int32_t letter_width(int32_t width) noexcept {
+    return width * 5 / 8 + (10 << scale_for(width));
+  }
+  static constexpr int32_t letter_height(int32_t height) noexcept {
+    return height / 2 + (10 << 2);
+  }
+
+  bool paint_letter() noexcept;
   void draw_layers(const Paper& paper) const noexcept;
   void draw_print(const Paper& paper) const noexcept;
 
-  motion::DistanceGrid grid_;
+  motion::DistanceGrid grid_;  // what is drawn
   motion::DistanceGrid next_;
+  motion::DistanceGrid letter_;
+  int32_t left_ = 0;  // of the letter's grid, in the others
+  int32_t top_ = 0;
   simulation::PrintStyle print_ = simulation::PrintStyle::relief;
   bool is_print_ = false;
   motion::GridHistogram scratch_;

@@ -188,6 +188,37 @@ int8_t moved(const DistanceGrid& grid,
   return value_at(grid, x * 256 + offset.x, y * 256 + offset.y);
 }
 
+// The same from the four samples around it: of a shape that is looked up once,
+// the eye sees no difference.
+int8_t linear_at(const DistanceGrid& grid,
+                 int32_t x_q8,
+                 int32_t y_q8) noexcept {
+  const int32_t left = x_q8 >> 8;
+  const int32_t top = y_q8 >> 8;
+  if (left < -1 || top < -1 || left >= grid.width() || top >= grid.height()) {
+    return DistanceGrid::kOutside;
+  }
+  int8_t around[4];
+  const int8_t* at = around;
+  int32_t stride = 2;
+  if (left >= 0 && top >= 0 && left + 1 < grid.width() &&
+      top + 1 < grid.height()) {
+    at = grid.row(top) + left;
+    stride = grid.width();
+  } else {
+    for (int32_t i = 0; i < 4; ++i) {
+      around[i] = grid.at(left + (i & 1), top + (i >> 1));
+    }
+  }
+  const int32_t right = x_q8 & 255;
+  const int32_t down = y_q8 & 255;
+  const int32_t above = at[0] * 256 + (at[1] - at[0]) * right;
+  const int32_t below =
+      at[stride] * 256 + (at[stride + 1] - at[stride]) * right;
+  return static_cast<int8_t>(
+      (above * 256 + (below - above) * down + (1 << 15)) >> 16);
+}
+
 // A vortex whose numbers are in range, for any time.
 class Winding {
  public:
@@ -224,7 +255,9 @@ class Winding {
             clamp((((x_q8_ >> 6) + half_q2) >> 2) + 1, 0, width)};
   }
 
+  // The value that a sample has now. The corner is that of the grid. [Q8]
   int8_t value_of(const DistanceGrid& grid,
+                  const Offset& corner,
                   int32_t x,
                   int32_t y) const noexcept {
     const int32_t right = clamp(x * 256 + 128 - x_q8_, -kMost, kMost);
@@ -238,9 +271,9 @@ class Winding {
     const int32_t sine_q12 = (motion::sine(turn).raw + 2) >> 2;
     const int32_t cosine_q12 = (motion::cosine(turn).raw + 2) >> 2;
     // Rotation back, as in Whirl.
-    return value_at(
-        grid, x_q8_ - 128 + nearest(right * cosine_q12 - down * sine_q12),
-        y_q8_ - 128 + nearest(right * sine_q12 + down * cosine_q12));
+    return linear_at(
+        grid, x_q8_ - corner.x + nearest(right * cosine_q12 - down * sine_q12),
+        y_q8_ - corner.y + nearest(right * sine_q12 + down * cosine_q12));
   }
 
  private:
@@ -303,12 +336,14 @@ void advect(const DistanceGrid& grid,
 }
 
 void wind(const DistanceGrid& grid,
+          int32_t left,
+          int32_t top,
           const Vortex& vortex,
           DistanceGrid& out) noexcept {
-  if (grid.width() != out.width() || grid.height() != out.height() ||
-      grid.width() == 0) {
-    return;
-  }
+  constexpr int32_t kMostAway = 4096;
+  left = clamp(left, -kMostAway, kMostAway);
+  top = clamp(top, -kMostAway, kMostAway);
+  const Offset corner = {left * 256 + 128, top * 256 + 128};
   const Winding winding(vortex);
   // The shape stays in a circle around the centre.
   int32_t farthest = 0;
@@ -316,16 +351,17 @@ void wind(const DistanceGrid& grid,
     const detail::KnownSpan known =
         detail::known_span(grid.row(y), grid.width());
     if (known.first < known.end) {
-      farthest = max(farthest, max(winding.square_q4(known.first - 2, y),
-                                   winding.square_q4(known.end + 1, y)));
+      farthest =
+          max(farthest, max(winding.square_q4(left + known.first - 2, top + y),
+                            winding.square_q4(left + known.end + 1, top + y)));
     }
   }
-  for (int32_t y = 0; y < grid.height(); ++y) {
-    const detail::KnownSpan span = winding.within(farthest, y, grid.width());
+  for (int32_t y = 0; y < out.height(); ++y) {
+    const detail::KnownSpan span = winding.within(farthest, y, out.width());
     int8_t* to = out.row(y);
-    detail::clear_around(span, to, grid.width());
+    detail::clear_around(span, to, out.width());
     for (int32_t x = span.first; x < span.end; ++x) {
-      to[x] = winding.value_of(grid, x, y);
+      to[x] = winding.value_of(grid, corner, x, y);
     }
   }
 }

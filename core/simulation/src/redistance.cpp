@@ -163,16 +163,29 @@ void redistance(const DistanceGrid& grid,
     const int32_t step = (order & 1) != 0 ? -1 : 1;
     const int32_t top = max(rows.first, 1);
     const int32_t bottom = min(rows.end, height - 1);
-    for (int32_t i = top; i < bottom; ++i) {
-      const int32_t y = (order & 2) != 0 ? top + bottom - 1 - i : i;
+    const int32_t down = (order & 2) != 0 ? -1 : 1;
+    int32_t y = down > 0 ? top : bottom - 1;
+    const auto known = [&](int32_t row) {
+      return detail::known_span(out.row(row), width);
+    };
+    if (top >= bottom) {
+      return;
+    }
+    detail::KnownSpan behind = known(y - down);
+    detail::KnownSpan here = known(y);
+    for (int32_t i = top; i < bottom; ++i, y += down) {
+      const detail::KnownSpan ahead = known(y + down);
       // Distances reach 4 samples: no other samples change.
-      const detail::KnownSpan span = span_around(out, y, 5);
+      const detail::KnownSpan span =
+          grown(united(behind, united(here, ahead)), 5, width);
       const int32_t first = max(span.first, 1);
       const int32_t end = min(span.end, width - 1);
       int8_t* at = out.row(y) + (step > 0 ? first : end - 1);
       for (int32_t x = first; x < end; ++x, at += step) {
         spread_to(at, width);
       }
+      behind = known(y);
+      here = ahead;
     }
   }
 }

@@ -61,7 +61,7 @@ constexpr int32_t kRows = 16;
 
 alignas(4) uint8_t font_bytes[1 << 17];
 alignas(4) uint8_t pixels[kMostWidth * kRows * 2];
-int8_t grid[40000];
+int8_t grid[48000];
 simulation::Particle particles[600];
 simulation::ParticleHome homes[600];
 alignas(4) uint8_t ram[2560];

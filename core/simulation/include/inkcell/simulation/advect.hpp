@@ -49,12 +49,13 @@ void advect(const motion::DistanceGrid& grid,
 /// that of all steps, within +-2^26; no point turns by more than 5 turns.
 /// Points move on circles, so each sample is looked up once, where it was: the
 /// reverse gives back the shape, and nothing wears off. The slope grows:
-/// redistance() restores it. Both grids have the same size and share no memory.
-/// Cost: about 100 instructions for a sample of the circle that holds the
-/// shape; near edges about 150 more.
-///
-/// If the sizes differ, `out` is untouched.
+/// redistance() restores it. `grid` may be smaller than `out`, in which it lies
+/// at (`left`, `top`), clamped to +-4096; the vortex is in samples of `out`.
+/// They share no memory. Cost: about 110 instructions for a sample of the
+/// circle that holds the shape.
 void wind(const motion::DistanceGrid& grid,
+          int32_t left,
+          int32_t top,
           const Vortex& vortex,
           motion::DistanceGrid& out) noexcept;
 
