@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "69f34fbc9da58177efbb3bb018fd036bd7c869f78e67538e4d7dca496cdccccb";
 inline constexpr const char* kFigure13Hash =
-    "93e5571619d9ceb0ffaf205f5aef2ad95e3bc54ff469ea0b4748cb395626d33b";
+    "f4bdb4394e30669fd17afa6df8771124dc85e7ad80dde69dba894296e77eea81";
 inline constexpr const char* kFigure14Hash =
     "e426b0d74548182176897fa9d1133449aa105b92a0a0026c681302e842b540e2";
 inline constexpr const char* kFigure15Hash =

@@ -175,7 +175,7 @@ void BodyScene::let_fall(int32_t index) noexcept {
   body = Body();
   body.shape = &shapes_[shape_of_[index]];
   // Over the middle, beside the letter before.
-  const auto along = static_cast<int32_t>(random & 127) + 160;  // [em / 1024]
+  const auto along = static_cast<int32_t>(random & 127) + 198;  // [em / 1024]
   body.x = Q16_16::from_int(width_ / 2 + (index % 2 == 0 ? -along : along) *
                                              size_for(height_) / 1024);
   // The first one is seen at once, others begin above the screen, and above the
@@ -197,7 +197,7 @@ void BodyScene::wake(bool is_kick) noexcept {
     Body& body = bodies_[i];
     body.still_steps = 0;
     if (is_kick) {
-      const uint32_t random = hash(3, static_cast<uint32_t>(i));
+      const uint32_t random = hash(34, static_cast<uint32_t>(i));
       const auto more = static_cast<int32_t>(random & 1023);
       body.x_speed.raw = (Q16_16::from_int(width_ / 2).raw - body.x.raw) / 50;
       body.y_speed.raw = -(5 << 16) * height_ / 240 - more * 128;
@@ -222,9 +222,10 @@ void BodyScene::step() noexcept {
   if (phase == kKicks || phase == kOpens) {
     wake(phase == kKicks);
   }
-  for (int32_t i = 0; i < kStepsPerFrame; ++i) {
-    simulation::step({bodies_, static_cast<size_t>(count_)}, rules(),
-                     contacts_);
+  BodyRules now = rules();
+  for (int32_t i = 1; i <= kStepsPerFrame; ++i) {
+    now.is_drawn = i == kStepsPerFrame;
+    simulation::step({bodies_, static_cast<size_t>(count_)}, now, contacts_);
   }
   // Removes bodies that have left the screen at the bottom.
   for (Body& body : bodies_) {

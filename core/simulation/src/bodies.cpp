@@ -103,15 +103,15 @@ struct Solver {
                       int32_t first_arm,
                       int32_t second_arm) const noexcept {
     const Body& a = bodies[contact.first];
-    int64_t x = a.x_speed.raw;
-    int64_t y = a.y_speed.raw;
+    int32_t x = a.x_speed.raw;
+    int32_t y = a.y_speed.raw;
     int64_t spun = int64_t{a.spin_q20} * first_arm;
     if (const Body* b = second_of(contact)) {
       x -= b->x_speed.raw;
       y -= b->y_speed.raw;
       spun -= int64_t{b->spin_q20} * second_arm;
     }
-    return scaled(x * nx + y * ny, 14) + scaled(spun, 12);
+    return scaled(int64_t{x} * nx + int64_t{y} * ny, 14) + scaled(spun, 12);
   }
 
   void push_both(const BodyContact& contact,
@@ -184,6 +184,9 @@ struct Solver {
       return;  // soft only
     }
     const int64_t wanted = contact.leaves_q16 - int64_t{normal_speed(contact)};
+    if (wanted <= 0 && contact.pushed == 0 && contact.rubbed == 0) {
+      return;
+    }
     const int64_t pushed = contact.pushed + (wanted * contact.normal_mass >> 8);
     const int64_t kept = pushed > 0 ? pushed : 0;
     if (kept != contact.pushed) {
@@ -332,7 +335,8 @@ __attribute__((noinline)) void set_pieces(const Solver& solver) noexcept {
   }
 }
 
-void advance(Body& body, int32_t piece_q16) noexcept {
+void advance(Body& body) noexcept {
+  const int32_t piece_q16 = body.piece_q16;
   body.x.raw += scaled(int64_t{body.x_speed.raw} * piece_q16, 16);
   body.y.raw += scaled(int64_t{body.y_speed.raw} * piece_q16, 16);
   // A radian is 1 / (2 pi) turn: 10430 / 2^16. [Q20 -> Q32]
@@ -341,8 +345,8 @@ void advance(Body& body, int32_t piece_q16) noexcept {
   limit(body);
 }
 
-// Returns whether a body has yet to move. Not inline: the search for contacts
-// needs the stack.
+// Returns whether a body will have yet to move after this piece. Not inline:
+// the search for contacts needs the stack.
 __attribute__((noinline)) bool solve_piece(const Solver& solver,
                                            bool is_first) noexcept {
   const Span<BodyContact> contacts = solver.contacts;
@@ -357,18 +361,25 @@ __attribute__((noinline)) bool solve_piece(const Solver& solver,
   }
   solve_all(solver);
   set_pieces(solver);
-  for (size_t i = contacts.size; i > 0; --i) {
-    solver.separate(contacts[i - 1]);
-  }
   bool is_left = false;
   for (Body& body : solver.bodies) {
     if (body.piece_q16 > 0) {
-      advance(body, body.piece_q16);
       body.left_q16 -= body.piece_q16;
       is_left = is_left || body.left_q16 > 0;
     }
   }
   return is_left;
+}
+
+__attribute__((noinline)) void move_all(const Solver& solver) noexcept {
+  for (size_t i = solver.contacts.size; i > 0; --i) {
+    solver.separate(solver.contacts[i - 1]);
+  }
+  for (Body& body : solver.bodies) {
+    if (body.piece_q16 > 0) {
+      advance(body);
+    }
+  }
 }
 
 // A damped spring: the fall that a body has lost in a step, if it is more than
@@ -429,7 +440,15 @@ void step(Span<Body> all,
   bool is_left = true;
   for (int32_t piece = 0; piece < most && is_left; ++piece) {
     const size_t count = find_contacts(bodies, rules, still_q16, room);
-    is_left = solve_piece({bodies, rules, {room.data, count}}, piece == 0);
+    const Solver solver = {bodies, rules, {room.data, count}};
+    is_left = solve_piece(solver, piece == 0);
+    if (rules.is_drawn && (!is_left || piece + 1 == most)) {
+      for (Body& body : bodies) {
+        body.left_q16 = 1 << 16;  // all have touches
+      }
+      find_touches(bodies, rules);
+    }
+    move_all(solver);
   }
   for (Body& body : bodies) {
     spring_back(body, min(rules.squash_q14, 1 << 13), 2 * still_q16);

@@ -47,6 +47,7 @@ struct Finder {
   Span<BodyContact> contacts;
   const BodyRules& rules;
   int32_t still_q16;
+  bool is_drawn;        // sets touches; otherwise finds contacts
   int32_t overlap_q10;  // of the pair at hand
   size_t count;
 
@@ -229,7 +230,7 @@ struct Finder {
     overlap_q10 = min(overlap_of(a), overlap_of(b));
     const int32_t near = max(near_q10(a), near_q10(b));
     const int32_t wider = wider_q10(a) + wider_q10(b);
-    if (wider > 0 && apart_q10 < near + wider) {
+    if (is_drawn && wider > 0 && apart_q10 < near + wider) {
       meet(a, second);
       meet(b, first);
     }
@@ -239,16 +240,16 @@ struct Finder {
     }
     BodyContact* kept = clean();
     Look look = {&a, &b, x_between, y_between, true, hard_q10(), kept};
-    Sums of_a = {-kFarQ10};
+    Sums of_a = {-kFarQ10, is_drawn};
     look.find(of_a);
-    Sums of_b = {of_a.most};
+    Sums of_b = {of_a.most, is_drawn};
     if (of_a.most > -near) {
       look.from = &b;
       look.into = &a;
       look.is_first = false;
       look.find(of_b);
     }
-    if (of_b.most > -near && rules.overlap.raw > 0) {
+    if (is_drawn && of_b.most > -near && rules.overlap.raw > 0) {
       // The common area is between the sums of both; each loses half of it.
       const int64_t sum = int64_t{of_a.lost_q6} * a.shape->spacing_q5() +
                           int64_t{of_b.lost_q6} * b.shape->spacing_q5();
@@ -285,7 +286,7 @@ struct Finder {
     }
     const Turn turn = turn_of(body.angle());
     BodyContact* kept = clean();
-    Sums sums = {-kFarQ10};
+    Sums sums = {-kFarQ10, is_drawn};
     int32_t id = 0;
     for (const BodyPoint& point : body.shape->points()) {
       ++id;
@@ -307,13 +308,29 @@ struct Finder {
       add_touch(kept, touch, hard_q10(), true);
     }
     note(body, sums.most, 256);
-    if (sums.lost_q6 > 0 && rules.overlap.raw > 0) {
+    if (is_drawn && sums.lost_q6 > 0 && rules.overlap.raw > 0) {
       const int64_t lost = int64_t{sums.lost_q6} * body.shape->spacing_q5();
       squash(body, BodyTouch::kWalls + static_cast<size_t>(wall),
              clamp_i64(lost >> 1, 0, (1 << 21) - 1), sums);
     }
     if (kept != nullptr) {
       emit(index, BodyContact::kWall, 0, 0);
+    }
+  }
+
+  __attribute__((noinline)) void find_all() noexcept {
+    for (size_t i = 0; i < bodies.size; ++i) {
+      if (bodies[i].shape == nullptr) {
+        continue;
+      }
+      for (int32_t wall = 0; wall < 4 && moves(bodies[i]); ++wall) {
+        find_wall(i, wall);
+      }
+      for (size_t k = 0; k < i; ++k) {
+        if (bodies[k].shape != nullptr) {
+          find_pair(i, k);
+        }
+      }
     }
   }
 };
@@ -346,29 +363,22 @@ size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,
                      Span<BodyContact> contacts) noexcept {
-  Finder finder = {bodies, contacts, rules, still_q16, 0, 0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }
+  Finder finder = {bodies, contacts, rules, still_q16, false, 0, 0};
+  finder.find_all();
+  return finder.count;
+}
+
+void find_touches(Span<Body> bodies, const BodyRules& rules) noexcept {
+  Finder finder = {bodies, {}, rules, 0, true, 0, 0};
   // Pairs that do not move are not examined: they keep their touches.
   for (size_t i = 0; i < bodies.size; ++i) {
     finder.forget(i);
   }
-  for (size_t i = 0; i < bodies.size; ++i) {
-    if (bodies[i].shape == nullptr) {
-      continue;
-    }
-    for (int32_t wall = 0; wall < 4 && moves(bodies[i]); ++wall) {
-      finder.find_wall(i, wall);
-    }
-    for (size_t k = 0; k < i; ++k) {
-      if (bodies[k].shape != nullptr) {
-        finder.find_pair(i, k);
-      }
-    }
-  }
-  return finder.count;
+  finder.find_all();
 }
 
 }  // namespace inkcell::simulation

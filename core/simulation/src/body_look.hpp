@@ -68,6 +68,7 @@ inline int32_t turned_y(const Turn& turn, int32_t x, int32_t y) noexcept {
 // Sums over the points of a body.
 struct Sums {
   int32_t most;         // the greatest distance inside of the other [px, Q10]
+  bool is_drawn;        // the members below are wanted
   int32_t lost_q6 = 0;  // of distances inside of the other [px]
   int32_t room_q9 = 0;  // of shares of a bulge
   int32_t outside = 0;  // the points there [1/2]
@@ -82,6 +83,9 @@ struct Sums {
   void add(int32_t distance_q10, bool is_corner, int32_t scale_log2) noexcept {
     const uint32_t half = is_corner ? 1 : 0;
     most = max(most, distance_q10);
+    if (!is_drawn) {
+      return;
+    }
     if (distance_q10 > 0) {
       lost_q6 += distance_q10 >> (4 + half);
     } else {
@@ -169,7 +173,7 @@ struct Look {
         group_end = min(i + size, count);
         const int32_t most =
             distance + (own.reach_of(static_cast<size_t>(i / size)) << 10);
-        if (most <= far) {
+        if (most <= far || (!sums.is_drawn && most <= min(sums.most, least))) {
           sums.skip(most, group_end - i, clamp(corners - i, 0, group_end - i));
           i = group_end - 1;
           continue;

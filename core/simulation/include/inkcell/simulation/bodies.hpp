@@ -100,6 +100,9 @@ struct BodyRules {
   /// the step's time, with all that they touch. Others lose nothing. Collisions
   /// are never missed.
   uint8_t pieces = 60;
+  /// Whether bodies are drawn after the step. If not, it leaves their touches
+  /// alone, which costs less.
+  bool is_drawn = true;
 
   static constexpr int32_t kMostPieces = 60;
 };

@@ -110,12 +110,15 @@ int32_t speed_of(const Body& body) noexcept;
 int32_t speed_between(const Body& a, const Body& b) noexcept;
 
 /// Finds contacts, wakes sleepers that are hit, and returns the number of
-/// contacts. Sets touches, most_speed_q16 and clear_q10 of each body; clear_q10
-/// is the distance to the nearest wall and the nearest body that it does not
-/// touch. Sets the members of contacts but those that the solver sets.
+/// contacts. Sets most_speed_q16 and clear_q10 of each body; clear_q10 is the
+/// distance to the nearest wall and the nearest body that it does not touch.
+/// Sets the members of contacts but those that the solver sets.
 size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,
                      Span<BodyContact> contacts) noexcept;
+
+/// Sets touches of each body that moves, and of its neighbours.
+void find_touches(Span<Body> bodies, const BodyRules& rules) noexcept;
 
 }  // namespace inkcell::simulation
