@@ -39,22 +39,29 @@ void melt(DistanceGrid& grid,
       clamp(how.drip.raw >> (grid.scale_log2() + 6), 1, 128);  // [samples]
   const int32_t depth = max(deep + 32, 24 * drip);
   const int32_t slow = 20 * drip;  // the height of slow samples
-  for (int32_t x = 0; x < grid.width(); ++x) {
+  // All is outside of the known samples, and stays so.
+  const Rect known = grid.known_box();
+  const int32_t stride = grid.width();
+  for (int32_t x = known.x0; x < known.x1; ++x) {
+    int8_t* const column = grid.row(0) + x;
+    const auto sample = [&](int32_t y) -> int32_t {
+      return y < 0 ? DistanceGrid::kOutside : column[y * stride];
+    };
     const int32_t speed = speed_q8 * speed_of(how.seed, x, drip);
-    const int32_t side = 32 * min(x, grid.width() - 1 - x) + 16 - beside;
+    const int32_t side = 32 * min(x, stride - 1 - x) + 16 - beside;
     // Upwards: the sample above is still that of the step before.
-    for (int32_t y = grid.height() - 1; y >= 0; --y) {
-      int8_t& at = grid.row(y)[x];
+    for (int32_t y = grid.height() - 1; y >= known.y0; --y) {
       // Of the sample's middle above the floor. [1/32 of a sample]
       const int32_t height = (floor_q6 - ((2 * y + 1) << (shift + 4))) >> shift;
-      const int32_t fall_q8 = speed * clamp(height, 0, slow) / (slow * 256);
+      const int32_t fall_q8 =
+          height >= slow ? speed >> 8 : speed * max(height, 0) / (slow * 256);
       const int32_t from = y - (fall_q8 >> 8);
-      const int32_t below = grid.at(x, from);
-      const int32_t above = grid.at(x, from - 1);
+      const int32_t below = sample(from);
+      const int32_t above = sample(from - 1);
       const int32_t fallen =
           below + (((above - below) * (fall_q8 & 255) + 128) >> 8);
       const bool is_puddle = fallen > INT8_MIN && height < depth;
-      at = sample_of(
+      column[y * stride] = sample_of(
           min(is_puddle ? fallen + added : fallen, min(height, side)));
     }
   }

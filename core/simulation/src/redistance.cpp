@@ -11,21 +11,22 @@ namespace {
 constexpr int32_t kSide = 32;  // of a sample, in units of its value
 constexpr int32_t kDeepest = 127;
 
-// sqrt(2 h^2 - d^2) for differences d from 0 to h, to the nearest.
-struct Roots {
+// How much farther from the edge a sample is than the nearer one of two
+// neighbours that differ by d, 0 to h: (d + sqrt(2 h^2 - d^2)) / 2.
+struct Steps {
   uint8_t of[kSide + 1];
 };
 
-constexpr Roots make_roots() noexcept {
-  Roots roots = {};
+constexpr Steps make_steps() noexcept {
+  Steps steps = {};
   for (uint32_t d = 0; d <= kSide; ++d) {
-    roots.of[d] = static_cast<uint8_t>(
-        detail::nearest_root_of(2 * kSide * kSide - d * d));
+    const uint32_t root = detail::nearest_root_of(2 * kSide * kSide - d * d);
+    steps.of[d] = static_cast<uint8_t>((d + root) / 2);
   }
-  return roots;
+  return steps;
 }
 
-constexpr Roots kRoots = make_roots();
+constexpr Steps kSteps = make_steps();
 
 // The magnitude of a value: 0 inside is half a step, -1 outside too.
 int32_t depth(int32_t value) noexcept {
@@ -34,27 +35,6 @@ int32_t depth(int32_t value) noexcept {
 
 int8_t with_side(int32_t depth, bool is_inside) noexcept {
   return static_cast<int8_t>(is_inside ? depth : -1 - depth);
-}
-
-// A sample; outside of the grid the nearest one.
-int32_t nearest(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
-  const int32_t right = grid.width() - 1;
-  const int32_t bottom = grid.height() - 1;
-  return grid.at(clamp(x, 0, right), clamp(y, 0, bottom));
-}
-
-bool is_edge(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
-  if (x > 0 && y > 0 && x + 1 < grid.width() && y + 1 < grid.height()) {
-    const int8_t* at = grid.row(y) + x;
-    const int32_t stride = grid.width();
-    return ((*at ^ at[-1]) | (*at ^ at[1]) | (*at ^ at[-stride]) |
-            (*at ^ at[stride])) < 0;
-  }
-  const bool side = grid.at(x, y) < 0;
-  return (nearest(grid, x - 1, y) < 0) != side ||
-         (nearest(grid, x + 1, y) < 0) != side ||
-         (nearest(grid, x, y - 1) < 0) != side ||
-         (nearest(grid, x, y + 1) < 0) != side;
 }
 
 // The slope along an axis: to the neighbour across the edge, to the farther one
@@ -100,46 +80,52 @@ void mark(const DistanceGrid& from,
     }
     const detail::KnownSpan span = span_around(from, y, 1);
     detail::clear_around(span, to.row(y), to.width());
+    // Outside of the grid: the nearest sample.
+    const int8_t* const row = from.row(y);
+    const int8_t* const before = from.row(max(y - 1, 0));
+    const int8_t* const after = from.row(min(y + 1, from.height() - 1));
+    int8_t* const marked = to.row(y);
+    int32_t left = row[max(span.first - 1, 0)];
+    int32_t value = row[min(span.first, from.width() - 1)];
     for (int32_t x = span.first; x < span.end; ++x) {
-      const int32_t value = from.row(y)[x];
+      const int32_t right = row[min(x + 1, from.width() - 1)];
+      const int32_t above = before[x];
+      const int32_t below = after[x];
       int32_t distance = kDeepest;
-      if (is_edge(from, x, y)) {
-        const int32_t across =
-            slope(value, nearest(from, x - 1, y), nearest(from, x + 1, y));
-        const int32_t along =
-            slope(value, nearest(from, x, y - 1), nearest(from, x, y + 1));
-        const int32_t length = near_length(across, along);
-        // There is an edge, so it is at least 1. A depth is half a step less
-        // than the distance.
+      if (((value ^ left) | (value ^ right) | (value ^ above) |
+           (value ^ below)) < 0) {
+        // At least 1. A depth is half a step less than the distance.
+        const int32_t length =
+            near_length(slope(value, left, right), slope(value, above, below));
         const int32_t found = (2 * depth(value) + 1) * (kSide / 2) / length;
         distance = min(found, kDeepest);
       }
-      to.row(y)[x] = with_side(distance, value >= 0);
+      marked[x] = with_side(distance, value >= 0);
+      left = value;
+      value = right;
     }
   }
 }
 
-// Updates a sample that has neighbours on all sides, none of them across the
+// Updates a sample that has neighbours on all sides, but for those next to the
 // edge. `stride` leads to the next row.
 void spread_to(int8_t* at, int32_t stride) noexcept {
-  const int32_t value = *at;
-  const int32_t left = at[-1];
-  const int32_t right = at[1];
-  const int32_t above = at[-stride];
-  const int32_t below = at[stride];
-  if (((value ^ left) | (value ^ right) | (value ^ above) | (value ^ below)) <
-      0) {
-    return;  // next to the edge: kept
+  // An exclusive or maps values of this side to depths and back, and those of
+  // the other side to negative numbers.
+  const int32_t side = *at >> 31;
+  const int32_t known = *at ^ side;
+  if (known <= kSteps.of[0]) {
+    return;  // the least that is found
   }
-  // All are on one side: an exclusive or maps values to depths and back.
-  const int32_t side = value >> 31;
-  const int32_t a = min(left ^ side, right ^ side);
-  const int32_t b = min(above ^ side, below ^ side);
-  const int32_t difference = abs(a - b);
-  const int32_t found = difference >= kSide
-                            ? min(a, b) + kSide
-                            : (a + b + kRoots.of[difference]) >> 1;
-  if (found < (value ^ side)) {
+  const int32_t a = min(at[-1] ^ side, at[1] ^ side);
+  const int32_t b = min(at[-stride] ^ side, at[stride] ^ side);
+  const int32_t nearest = min(a, b);
+  // Next to the edge, or none is nearer to it.
+  if (nearest < 0 || nearest >= known - kSteps.of[0]) {
+    return;
+  }
+  const int32_t found = nearest + kSteps.of[min(abs(a - b), kSide)];
+  if (found < known) {
     *at = static_cast<int8_t>(found ^ side);
   }
 }

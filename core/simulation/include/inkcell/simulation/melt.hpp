@@ -33,7 +33,8 @@ struct Melting {
 };
 
 /// A step: each column of samples sinks at its own speed, slower within 5/8 of
-/// a drip's width of the floor. About 60 instructions a sample.
+/// a drip's width of the floor. About 60 instructions a sample of the box of
+/// known ones.
 void melt(motion::DistanceGrid& grid,
           const Melting& how,
           motion::GridHistogram& scratch) noexcept;

@@ -10,7 +10,7 @@ namespace inkcell::simulation {
 /// Fills `out` with distances to the grid's edge: the slope becomes 1 and the
 /// edge stays. Both grids have the same size and share no memory. Fast sweeping
 /// (Zhao 2005): samples next to the edge follow from value and slope, four
-/// sweeps fill the others. About 120 instructions a sample.
+/// sweeps fill the others. About 95 instructions a sample.
 ///
 /// Computes the rows [first_row, end_row) and copies the others, so that the
 /// work can be spread over frames, at least 10 rows at a time.
