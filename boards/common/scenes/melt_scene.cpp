@@ -45,11 +45,6 @@ int8_t melt_sample(int32_t value) noexcept {
                                                 : value);
 }
 
-// Of the part of a sample's square that is at this height above the floor.
-int32_t coverage_above(int32_t height) noexcept {
-  return motion::DistanceGrid::coverage_of(melt_sample(height));
-}
-
 }  // namespace
 
 int32_t MeltScene::height_part(const SceneSetting& setting) noexcept {
@@ -74,13 +69,14 @@ MeltScene::MeltScene(const SceneSetting& setting) noexcept
     grid = take_grid(memory, setting.width,
                      rows_for(setting.width, setting.height), scale);
   }
+  away_ = take_grid(memory, setting.width, 1, scale);
   how_.beside = Q26_6::from_raw(2 * setting.width);  // 1/32 of the width
   how_.drip = Q26_6::from_int(kDrip << scale);
 }
 
 Status MeltScene::open() noexcept {
   step_ = 0;
-  if (grids_[1].width() == 0) {
+  if (away_.width() == 0) {
     return Status::buffer_small;
   }
   const int32_t scale = grids_[0].scale_log2();
@@ -91,7 +87,7 @@ Status MeltScene::open() noexcept {
   top_ = ((how_.floor.raw + 63) >> 6) + (kMargin << scale) -
          (grids_[0].height() << scale);
   how_.floor.raw -= top_ * 64;
-  return paint(1, grids_[0]) && paint(0, grids_[0]) ? status()
+  return paint(1, grids_[1]) && paint(0, grids_[1]) ? status()
                                                     : Status::bad_argument;
 }
 
@@ -144,7 +140,7 @@ bool MeltScene::is_at_rest() const noexcept {
 }
 
 Rect MeltScene::shown() const noexcept {
-  Rect box = known_pixels(grids_[0]);
+  Rect box = known_pixels(grids_[is_whole() ? 1 : 0]);
   box.y0 += top_;
   box.y1 += top_;
   return box;
@@ -169,41 +165,48 @@ void MeltScene::step() noexcept {
     return;
   }
   if (now == kMelts) {
-    static_cast<void>(paint(index(), grids_[0]));  // open() has tried
+    swap();
     how_.area = grids_[0].area();
+  }
+  if (now >= kFreezes) {
+    if (now == kFreezes) {
+      static_cast<void>(paint(1 - index(), grids_[1]));  // open() has tried
+    }
+    freeze_to(
+        motion::ease(kFreeze, motion::fraction(kFreezes - 1, kWhole - 1, now)));
+    return;
   }
   if (now < kLevels) {
     const int32_t since = now - kMelts;
     how_.speed_q8 = since < 20 ? since * 14 : 280;
     simulation::melt(grids_[0], how_, scratch_);
-    redistance();
-  } else if (now < kFreezes) {
-    const Grid shape = grids_[0];
-    grids_[0] = grids_[1];
+  } else {
+    swap();
     grids_[0].clear();
     add_puddle(deepest(), INT16_MAX, kRound);
-    const Grid puddle = grids_[0];
-    grids_[0] = shape;
-    simulation::freeze(grids_[0], puddle, 8 * (now - kLevels + 1));
-    redistance();
-  } else {
-    static_cast<void>(paint(1 - index(), grids_[0]));
-    freeze_to(
-        motion::ease(kFreeze, motion::fraction(kFreezes - 1, kWhole - 1, now)));
+    swap();
+    simulation::freeze(grids_[0], grids_[1], 8 * (now - kLevels + 1));
   }
+  simulation::redistance(grids_[0], grids_[1]);
+  swap();
 }
 
-void MeltScene::redistance() noexcept {
-  simulation::redistance(grids_[0], grids_[1]);
-  const Grid swap = grids_[0];
+void MeltScene::swap() noexcept {
+  const Grid shape = grids_[0];
   grids_[0] = grids_[1];
-  grids_[1] = swap;
+  grids_[1] = shape;
 }
 
 // Of the middle of row y above the floor. [1/32 of a sample]
 int32_t MeltScene::height_of(int32_t y) const noexcept {
   const int32_t shift = grids_[0].scale_log2() + 1;
   return (how_.floor.raw - ((2 * y + 1) << (shift + 4))) >> shift;
+}
+
+// The first row whose middle is at most as high.
+int32_t MeltScene::row_at(int32_t height) const noexcept {
+  const int32_t row = (height_of(0) - height + kSample - 1) / kSample;
+  return row < 0 ? 0 : row > grids_[0].height() ? grids_[0].height() : row;
 }
 
 // How far the middle of column x is from the ends of the widest puddle, above 0
@@ -216,14 +219,20 @@ int32_t MeltScene::beside_of(int32_t x) const noexcept {
          (across < 0 ? -across : across);
 }
 
-// Takes off what is above a level.
+// Makes the shape what is below a level of the word that freezes.
 void MeltScene::reveal(int32_t level) noexcept {
   Grid& grid = grids_[0];
-  for (int32_t y = 0; y < grid.height(); ++y) {
+  grid.clear();
+  // The rows above have nothing left, those from `whole` on have all.
+  const int32_t whole = row_at(level - INT8_MAX - kRound);
+  for (int32_t y = row_at(level - INT8_MIN); y < grid.height(); ++y) {
+    const int8_t* const from = grids_[1].row(y);
     int8_t* const row = grid.row(y);
     const int32_t left = level - height_of(y);
     for (int32_t x = 0; x < grid.width(); ++x) {
-      row[x] = melt_sample(round_min(row[x], left, kRound));
+      row[x] = y < whole && from[x] != Grid::kOutside
+                   ? melt_sample(round_min(from[x], left, kRound))
+                   : from[x];
     }
   }
 }
@@ -239,7 +248,7 @@ int32_t MeltScene::depth_of(int32_t area) const noexcept {
   const Grid& grid = grids_[0];
   int32_t depth = 0;
   for (int32_t y = grid.height() - 1; y >= 0; --y) {
-    const int32_t above = coverage_above(height_of(y));
+    const int32_t above = Grid::coverage_of(melt_sample(height_of(y)));
     int32_t room = 0;
     for (int32_t x = 0; x < grid.width(); ++x) {
       const int32_t covered = Grid::coverage_of(grid.row(y)[x]);
@@ -267,20 +276,16 @@ int32_t MeltScene::apart_of(int32_t sample,
 }
 
 // How far from ink a puddle of a depth reaches, if it adds an area to the grid.
-// [1/32 of a sample] Leaves the columns' distances from feet in the first row
-// of scratch.
+// [1/32 of a sample] Leaves the columns' distances from feet in away_.
 int32_t MeltScene::find_reach(int32_t depth, int32_t area) noexcept {
   const Grid& grid = grids_[0];
   const int32_t width = grid.width();
-  int8_t* const away = grids_[1].row(0);
-  const auto is_shallow = [&](int32_t y) {
-    return height_of(y) > 0 && height_of(y) < depth;
-  };
+  int8_t* const away = away_.row(0);
+  const int32_t floor = row_at(0);
   for (int32_t x = 0; x < width; ++x) {
     bool has_ink = false;
-    for (int32_t y = 0; y < grid.height(); ++y) {
-      has_ink = has_ink || (height_of(y) > 0 && height_of(y) < kFoot &&
-                            grid.row(y)[x] >= 0);
+    for (int32_t y = row_at(kFoot - 1); y < floor; ++y) {
+      has_ink = has_ink || grid.row(y)[x] >= 0;
     }
     const int32_t before = x == 0 ? INT8_MAX : away[x - 1];
     away[x] = static_cast<int8_t>(has_ink ? 0 : before + (before < INT8_MAX));
@@ -291,11 +296,12 @@ int32_t MeltScene::find_reach(int32_t depth, int32_t area) noexcept {
   }
   // The area that is as far from ink. [1/8 of a sample]
   scratch_ = {};
-  for (int32_t y = 0; y < grid.height(); ++y) {
-    for (int32_t x = 0; x < width && is_shallow(y); ++x) {
+  for (int32_t y = row_at(depth - 1); y < floor; ++y) {
+    const int32_t height = height_of(y);
+    for (int32_t x = 0; x < width; ++x) {
       const int8_t sample = grid.row(y)[x];
       const int32_t apart =
-          (apart_of(sample, away[x], height_of(y)) + kSample / 2) / kSample;
+          (apart_of(sample, away[x], height) + kSample / 2) / kSample;
       uint16_t& bin = scratch_.bins[apart < INT8_MAX ? apart : INT8_MAX];
       const int32_t room = (64 - Grid::coverage_of(sample)) / 8;
       bin = static_cast<uint16_t>(bin + (beside_of(x) > 0 ? room : 0));
@@ -318,8 +324,9 @@ void MeltScene::add_puddle(int32_t depth,
                            int32_t reach,
                            int32_t round) noexcept {
   Grid& grid = grids_[0];
-  const int8_t* const away = grids_[1].row(0);
-  for (int32_t y = 0; y < grid.height(); ++y) {
+  const int8_t* const away = away_.row(0);
+  // Above, nothing is near the puddle.
+  for (int32_t y = row_at(depth - INT8_MIN + round); y < grid.height(); ++y) {
     int8_t* const row = grid.row(y);
     const int32_t height = height_of(y);
     for (int32_t x = 0; x < grid.width(); ++x) {
@@ -333,9 +340,9 @@ void MeltScene::add_puddle(int32_t depth,
   }
 }
 
-// Of the word in the grid. The area changes evenly.
+// Of the word that freezes. The area changes evenly.
 void MeltScene::freeze_to(Q16_16 part) noexcept {
-  const int32_t whole = grids_[0].area();
+  const int32_t whole = grids_[1].area();
   const PixelMeasure ink =
       Painter().measure(font(), style(), word(1 - index()));
   const int32_t highest =

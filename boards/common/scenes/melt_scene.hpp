@@ -20,7 +20,9 @@ class MeltScene : public TextScene {
     return width > 400 ? 2 : width > 200 ? 1 : 0;
   }
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
-    return {2 * samples_for(width, rows_for(width, height), scale_for(width)),
+    const int32_t scale = scale_for(width);
+    return {2 * samples_for(width, rows_for(width, height), scale) +
+                samples_for(width, 1, scale),
             0, 0};
   }
 
@@ -54,10 +56,11 @@ class MeltScene : public TextScene {
   bool paint(size_t index, Grid& grid) noexcept;
   Point place(Text line) const noexcept;
   void step() noexcept;
-  void redistance() noexcept;
+  void swap() noexcept;
 
   // What freezes.
   int32_t height_of(int32_t y) const noexcept;
+  int32_t row_at(int32_t height) const noexcept;
   int32_t beside_of(int32_t x) const noexcept;
   void reveal(int32_t level) noexcept;
   int32_t deepest() const noexcept;
@@ -69,7 +72,8 @@ class MeltScene : public TextScene {
   void add_puddle(int32_t depth, int32_t reach, int32_t round) noexcept;
   void freeze_to(Q16_16 part) noexcept;
 
-  Grid grids_[2];  // the shape; scratch
+  Grid grids_[2];  // the shape; the word that is whole or freezes, or scratch
+  Grid away_;      // a row: how far columns are from feet [samples]
   motion::GridHistogram scratch_;
   simulation::Melting how_;
   int32_t top_ = 0;  // of the grids [px from the screen's]
