@@ -273,7 +273,7 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::OffsetScene>(
           "figure14", "surfaces swell and throw particles off", "a word"),
       kind_of<scenes::VortexScene>("figure15",
-                                   "a vortex winds a letter up until it tears",
+                                   "a vortex winds a letter up, and runs back",
                                    "a letter, or a short word"),
       kind_of<scenes::MeltScene>(
           "melt", "a word melts, and another one freezes", "two words"),

@@ -1,5 +1,6 @@
-// The letter rests and is wound up. Its strokes thin and break where they are
-// thinnest; then the vortex runs back, a little too far, and leaves the letter.
+// The letter rests and is wound up. Its strokes thin, and may break where they
+// are thinnest; then the vortex runs back, a little too far, and leaves the
+// letter.
 #include "vortex_scene.hpp"
 
 #include "inkcell/motion/easing.hpp"

@@ -1,4 +1,4 @@
-// Scene `figure15`: a vortex winds a letter up until it tears, and runs back.
+// Scene `figure15`: a vortex winds a letter up, and runs back.
 #pragma once
 
 #include "inkcell/motion/distance_grid.hpp"

@@ -28,7 +28,7 @@ constexpr Named kScenes[] = {
     {"particles", "Particles", "A word bursts and becomes another. Key: 5"},
     {"figure13", "Bodies", "Soft letters fall in a heap. Key: 6"},
     {"figure14", "Offsets", "Surfaces swell and throw particles off. Key: 7"},
-    {"figure15", "Vortex", "A vortex winds a letter up until it tears. Key: 8"},
+    {"figure15", "Vortex", "A vortex winds a letter up, and runs back. Key: 8"},
     {"print", "Prints", "Light goes round five prints. Key: 9"},
 };
 constexpr Named kFilters[] = {
