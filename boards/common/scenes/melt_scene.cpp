@@ -24,7 +24,7 @@ constexpr motion::Easing kFreeze = motion::cubic_bezier(420, 0, 850, 900);
 
 constexpr int32_t kSample = 32;          // in units of a grid's values
 constexpr int32_t kRound = 3 * kSample;  // the radius of edges and joints
-constexpr int32_t kFoot = 2 * kSample;   // of a letter
+constexpr int32_t kFoot = 2 * kSample;   // the height of a letter's foot
 constexpr int32_t kDrip = 8;             // [samples]
 
 // The greater of two, or the smaller of their negatives, rounded where they
@@ -197,7 +197,7 @@ void MeltScene::swap() noexcept {
   grids_[1] = shape;
 }
 
-// Of the middle of row y above the floor. [1/32 of a sample]
+// How high the middle of row y is above the floor. [1/32 of a sample]
 int32_t MeltScene::height_of(int32_t y) const noexcept {
   const int32_t shift = grids_[0].scale_log2() + 1;
   return (how_.floor.raw - ((2 * y + 1) << (shift + 4))) >> shift;
@@ -237,7 +237,7 @@ void MeltScene::reveal(int32_t level) noexcept {
   }
 }
 
-// Of the puddle of what has melted. [1/32 of a sample]
+// How deep the puddle is when all has melted. [1/32 of a sample]
 int32_t MeltScene::deepest() const noexcept {
   const int32_t half = beside_of(grids_[0].width() / 2);
   return how_.area * 8 / (half < 1 ? 1 : half);
@@ -340,7 +340,8 @@ void MeltScene::add_puddle(int32_t depth,
   }
 }
 
-// Of the word that freezes. The area changes evenly.
+// Makes the shape a part of the word that freezes, and of its puddle: the area
+// changes evenly.
 void MeltScene::freeze_to(Q16_16 part) noexcept {
   const int32_t whole = grids_[1].area();
   const PixelMeasure ink =

@@ -58,7 +58,7 @@ class MeltScene : public TextScene {
   void step() noexcept;
   void swap() noexcept;
 
-  // What freezes.
+  // Parts of freeze_to().
   int32_t height_of(int32_t y) const noexcept;
   int32_t row_at(int32_t height) const noexcept;
   int32_t beside_of(int32_t x) const noexcept;
@@ -76,7 +76,7 @@ class MeltScene : public TextScene {
   Grid away_;      // a row: how far columns are from feet [samples]
   motion::GridHistogram scratch_;
   simulation::Melting how_;
-  int32_t top_ = 0;  // of the grids [px from the screen's]
+  int32_t top_ = 0;  // the grids' upper edge [px from the screen's]
   uint32_t step_ = 0;
 };
 

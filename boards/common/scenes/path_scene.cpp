@@ -71,6 +71,14 @@ Status PathScene::open() noexcept {
   on_path_.size = size_for(font_, text_, width_, height_);
   on_path_.tracking.raw = on_path_.size.raw / 32;  // for valleys
   renderer_.set_size(on_path_.size);
+  const bool has_room = OutlineMorph::workspace_bytes(font_) <= workspace_.size;
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    const uint16_t glyph = run_.glyphs[i].glyph;
+    letters_[i].morph = OutlineMorph::to_master(font_, glyph);
+    if (!has_room) {
+      INKCELL_TRY(OutlineMorph::open(font_, glyph, glyph, letters_[i].morph));
+    }
+  }
   set_frame(0);
   return Status::ok;
 }
@@ -143,15 +151,6 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   return pose;
 }
 
-// To its second master, if the font has it and the workspace holds it.
-OutlineMorph PathScene::morph_of(uint16_t glyph) const noexcept {
-  OutlineMorph morph = OutlineMorph::to_master(font_, glyph);
-  if (workspace_.size < OutlineMorph::workspace_bytes(font_)) {
-    static_cast<void>(OutlineMorph::open(font_, glyph, glyph, morph));
-  }
-  return morph;
-}
-
 // Half of what a letter is wider than in plain text. [px, Q16]
 int32_t PathScene::half_growth(const OutlineMorph& morph,
                                Q16_16 bold) const noexcept {
@@ -169,36 +168,34 @@ void PathScene::set_frame(uint32_t frame) noexcept {
   // The line grows to both sides.
   on_path_.start.raw = path_.length().raw / 2;
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
-    on_path_.start.raw -=
-        half_growth(morph_of(run_.glyphs[i].glyph), bold_at(i, time_ms));
+    on_path_.start.raw -= half_growth(letters_[i].morph, bold_at(i, time_ms));
   }
   for (size_t i = 0; i < run_.glyphs.size; ++i) {
-    Letter now;
-    now.bold = bold_at(i, time_ms);
-    const OutlineMorph morph = morph_of(run_.glyphs[i].glyph);
-    const int32_t half = half_growth(morph, now.bold);
+    Letter& letter = letters_[i];
+    const Letter before = letter;
+    letter.bold = bold_at(i, time_ms);
+    const int32_t half = half_growth(letter.morph, letter.bold);
     on_path_.start.raw += half;
-    now.posed = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
+    letter.posed = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
     on_path_.start.raw += half;
-    if (morph.from() != morph.to()) {
-      now.posed.pivot_x.raw += half;
+    if (letter.morph.from() != letter.morph.to()) {
+      letter.posed.pivot_x.raw += half;
     } else {
-      now.posed.pose.weight.raw =
-          static_cast<int16_t>(reach_q10(on_path_.size, now.bold));
+      letter.posed.pose.weight.raw =
+          static_cast<int16_t>(reach_q10(on_path_.size, letter.bold));
     }
-    if (now.posed.pose.opacity == 0) {
-      // All invisible glyphs are equal.
-      now = {};
-      now.posed.pose.opacity = 0;
+    if (letter.posed.pose.opacity == 0) {
+      // All invisible letters are equal.
+      letter.bold = {};
+      letter.posed = {};
+      letter.posed.pose.opacity = 0;
     }
-    Letter& before = letters_[i];
     changed_[i] = {};
-    if (now.posed != before.posed || now.bold.raw != before.bold.raw) {
+    if (letter.posed != before.posed || letter.bold.raw != before.bold.raw) {
       changed_[i] =
-          bounding_box(renderer_.box(before.posed, morph, before.bold),
-                       renderer_.box(now.posed, morph, now.bold));
+          bounding_box(renderer_.box(before.posed, letter.morph, before.bold),
+                       renderer_.box(letter.posed, letter.morph, letter.bold));
     }
-    before = now;
   }
 }
 
@@ -210,7 +207,7 @@ void PathScene::draw(const Paper& paper) noexcept {
     const uint32_t ink = part < 256 ? mix_rgb(kFirstInk, kMiddleInk, part)
                                     : mix_rgb(kMiddleInk, kLastInk, part - 256);
     const Letter& letter = letters_[i];
-    renderer_.draw(letter.posed, morph_of(letter.posed.glyph), letter.bold,
+    renderer_.draw(letter.posed, letter.morph, letter.bold,
                    {paper.with(ink), workspace_});
   }
 }

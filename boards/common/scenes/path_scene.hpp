@@ -28,6 +28,7 @@ class PathScene : public SceneBase {
 
  private:
   struct Letter {
+    motion::OutlineMorph morph;  // to its second master, or to itself
     motion::PosedGlyph posed;
     Q16_16 bold;  // the part of the way to the second master
   };
@@ -36,7 +37,6 @@ class PathScene : public SceneBase {
 
   void make_wave(int32_t time_ms) noexcept;
   motion::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
-  motion::OutlineMorph morph_of(uint16_t glyph) const noexcept;
   int32_t half_growth(const motion::OutlineMorph& morph,
                       Q16_16 bold) const noexcept;
 

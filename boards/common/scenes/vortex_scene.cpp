@@ -69,8 +69,8 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
   Span<int8_t> memory = setting.memory.grid;
   grid_ = take_grid(memory, width_, height_, scale_for(width_));
   next_ = take_grid(memory, width_, height_, scale_for(width_));
-  letter_ = take_grid(memory, letter_width(width_), letter_height(height_),
-                      scale_for(width_));
+  letter_ = take_grid(memory, letter_side(width_, width_ * 5 / 8),
+                      letter_side(width_, height_ / 2), scale_for(width_));
   left_ = (grid_.width() - letter_.width()) / 2;
   top_ = (grid_.height() - letter_.height()) / 2;
 }

@@ -23,7 +23,8 @@ class VortexScene : public SceneBase {
   static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
     const int32_t scale = scale_for(width);
     return {2 * samples_for(width, height, scale) +
-                samples_for(letter_width(width), letter_height(height), scale),
+                samples_for(letter_side(width, width * 5 / 8),
+                            letter_side(width, height / 2), scale),
             0, 0};
   }
 
@@ -45,11 +46,8 @@ class VortexScene : public SceneBase {
 
  private:
   // The pixels of the letter's grid: those of its ink, and of 5 samples around.
-  static constexpr int32_t letter_width(int32_t width) noexcept {
-    return width * 5 / 8 + (10 << scale_for(width));
-  }
-  static constexpr int32_t letter_height(int32_t height) noexcept {
-    return height / 2 + (10 << 2);
+  static constexpr int32_t letter_side(int32_t width, int32_t ink) noexcept {
+    return ink + (10 << scale_for(width));
   }
 
   bool paint_letter() noexcept;

@@ -50,7 +50,8 @@ class OutlineMorph {
                             uint16_t glyph,
                             OutlineMorph& out) noexcept;
 
-  /// The same, or from the glyph to itself where the font holds none.
+  /// The same, or from the glyph to itself where the font holds none; draws
+  /// nothing if the font lacks the glyph.
   static OutlineMorph to_master(const Font& font, uint16_t glyph) noexcept;
 
   /// The least workspace of a painter that draws any pair of the font. A strip

@@ -47,9 +47,9 @@ class PoseRenderer {
   /// the sink's window.
   void draw(Span<const PosedGlyph> glyphs, const Painter& painter) noexcept;
 
-  /// The same of a glyph that becomes another, such as its second master, in
-  /// its pose: `morph.from()` is drawn. The painter's workspace must have
-  /// OutlineMorph::workspace_bytes() of the font.
+  /// The same of a morph, such as to a second master, in place of
+  /// `glyph.glyph`. Between its ends the painter's workspace must have
+  /// OutlineMorph::workspace_bytes() of the font, or nothing is drawn.
   void draw(const PosedGlyph& glyph,
             const OutlineMorph& morph,
             Q16_16 progress,
