@@ -49,7 +49,8 @@ double priced(const MorphPair& pair) {
 struct Plan {
   MorphPair pair;
   MorphQuality quality;
-  int blemishes = -1;  // not known
+  bool is_looked_at = false;
+  bool is_clean = false;  // without a blemish, as far as it is looked at
   double thorns = 0;
   bool is_mirrored = false;
   double cost = 0;
@@ -58,7 +59,6 @@ struct Plan {
   const Fates* fates = nullptr;
 
   bool is_good() const { return quality.is_within(kMostAreaError); }
-  bool is_clean() const { return blemishes == 0; }
 };
 
 void judge(Plan& plan) {
@@ -82,8 +82,8 @@ bool is_better(const Plan& a, const Plan& b) {
   if (a.is_good() != b.is_good()) {
     return a.is_good();
   }
-  if (a.is_clean() != b.is_clean()) {
-    return a.is_clean();
+  if (a.is_clean != b.is_clean) {
+    return a.is_clean;
   }
   return a.is_mirrored != b.is_mirrored ? a.is_mirrored : a.cost < b.cost;
 }
@@ -101,7 +101,7 @@ int birth_step(const MorphPair& pair, size_t contour, double area_u2) {
     ++step;
   }
   static_assert(kBirths == kMorphSteps, "crossings are known of each birth");
-  for (const MorphCrossing& crossing : quality_of(pair).crossings) {
+  for (const MorphCrossing& crossing : crossings_of(pair)) {
     if (crossing.contour[0] == contour || crossing.contour[1] == contour) {
       const int since = pair.contours[contour].missing == 0
                             ? crossing.step
@@ -121,11 +121,12 @@ MorphQuality swell(MorphPair& pair) {
     for (MorphContour& contour : trial.contours) {
       contour.swell = contour.missing < 0 ? 0 : swell;
     }
-    MorphQuality quality = quality_of(trial);
-    if (quality.crossings.size() <= best.crossings.size() &&
-        quality.area_error < best.area_error) {
-      best = std::move(quality);
-      pair = trial;
+    if (area_error_of(trial) < best.area_error) {
+      MorphQuality quality = quality_of(trial);
+      if (quality.crossings.size() <= best.crossings.size()) {
+        best = std::move(quality);
+        pair = trial;
+      }
     }
   }
   return best;
@@ -245,14 +246,15 @@ class BodyMorph {
 
   bool has_clean(double most_thorns) const {
     return std::any_of(plans_.begin(), plans_.end(), [&](const Plan& plan) {
-      return plan.is_clean() && plan.thorns <= most_thorns;
+      return plan.is_clean && plan.thorns <= most_thorns;
     });
   }
 
   void look() {
     for (Plan& plan : plans_) {
-      if (plan.is_good() && plan.blemishes < 0) {
-        plan.blemishes = blemished_frames(plan.pair);
+      if (plan.is_good() && !plan.is_looked_at) {
+        plan.is_looked_at = true;
+        plan.is_clean = !has_blemish(plan.pair);
         judge_thickness(plan);
       }
     }
@@ -513,8 +515,7 @@ Morph morph_bodies(const std::vector<Body>& first,
   bool is_mirrored = true;
   for (size_t i = 0; i < first.size(); ++i) {
     std::vector<Plan> plans = BodyMorph(first[i], second[i]).find();
-    if (plans.empty() || !plans.front().is_good() ||
-        !plans.front().is_clean()) {
+    if (plans.empty() || !plans.front().is_good() || !plans.front().is_clean) {
       return {};
     }
     cost += plans.front().cost;

@@ -14,13 +14,36 @@ namespace {
 constexpr double kPieceCost = 6;  // so that there are few
 constexpr double kStopCost = 3;   // of a stop within an edge
 
+// The directions of an edge at its ends, or of a loop before and behind a stop.
+struct Directions {
+  double first = 0;  // [radians]
+  double last = 0;
+  double turn = 0;
+};
+
 // A way on from a stop: nothing, to a later stop of the edge, or to its end.
 struct Advance {
   int stops = 0;
   MorphSide side;
   double length = 0;
+  Directions directions;
   bool is_cut = false;
 };
+
+double direction_at(const Point (&p)[3], bool is_end) {
+  Point d = is_end ? p[2] - p[1] : p[1] - p[0];
+  d = length(d) > 1e-6 ? d : p[2] - p[0];
+  return std::atan2(d.y, d.x);
+}
+
+double turn_between(double first, double last) {
+  const double turn = std::abs(last - first);
+  return std::min(turn, 2 * kPi - turn);
+}
+
+Directions directions_between(double first, double last) {
+  return {first, last, turn_between(first, last)};
+}
 
 using Advances = std::vector<std::vector<Advance>>;
 
@@ -39,6 +62,8 @@ Advances advances_of(const Loop& loop, const std::vector<LoopStop>& stops) {
       next.side = side_to(edge, stops[i].eighth,
                           is_end ? edge.to : stops[i + k].eighth);
       next.length = length_of(next.side.p);
+      next.directions = directions_between(direction_at(next.side.p, false),
+                                           direction_at(next.side.p, true));
       next.is_cut = !is_end;
       all[i].push_back(next);
       if (is_end) {
@@ -49,20 +74,9 @@ Advances advances_of(const Loop& loop, const std::vector<LoopStop>& stops) {
   return all;
 }
 
-// The directions of a loop before and behind a stop.
-struct Corner {
-  Point in;
-  Point out;
-};
-
-Point direction_at(const Point (&p)[3], bool is_end) {
-  const Point d = is_end ? p[2] - p[1] : p[1] - p[0];
-  return length(d) > 1e-6 ? d : p[2] - p[0];
-}
-
-std::vector<Corner> corners_of(const Loop& loop,
-                               const std::vector<LoopStop>& stops) {
-  std::vector<Corner> corners;
+std::vector<Directions> corners_of(const Loop& loop,
+                                   const std::vector<LoopStop>& stops) {
+  std::vector<Directions> corners;
   for (const LoopStop& stop : stops) {
     const auto k = static_cast<size_t>(stop.edge);
     const LoopEdge& edge = loop[k];
@@ -70,25 +84,21 @@ std::vector<Corner> corners_of(const Loop& loop,
     const LoopEdge in = is_begin ? loop[(k + loop.size() - 1) % loop.size()]
                                  : part_of(edge, edge.from, stop.eighth);
     const LoopEdge out = is_begin ? edge : part_of(edge, stop.eighth, edge.to);
-    corners.push_back({direction_at(in.p, true), direction_at(out.p, false)});
+    corners.push_back(directions_between(direction_at(in.p, true),
+                                         direction_at(out.p, false)));
   }
   return corners;
 }
 
-double turn_of(const Point& a, const Point& b) {
-  return std::abs(std::atan2(cross(a, b), dot(a, b)));
-}
-
 // What an edge turns, where it grows out of a corner of the other loop, beyond
 // that corner: times its length, as that of the spike. [u]
-double askew(const Corner& corner, const Advance& grown) {
+double askew(const Directions& corner, const Advance& grown) {
   if (grown.length < 1e-6) {
     return 0;
   }
-  const Point first = direction_at(grown.side.p, false);
-  const Point last = direction_at(grown.side.p, true);
-  return grown.length * (turn_of(corner.in, first) + turn_of(last, corner.out) +
-                         turn_of(first, last) - turn_of(corner.in, corner.out));
+  return grown.length * (turn_between(corner.first, grown.directions.first) +
+                         turn_between(grown.directions.last, corner.last) +
+                         grown.directions.turn - corner.turn);
 }
 
 size_t most_advances(const Advances& all) {
@@ -323,7 +333,7 @@ class Matcher {
   const Loop* loops_[2];
   std::vector<LoopStop> stops_[2];
   Advances advances_[2];
-  std::vector<Corner> corners_[2];
+  std::vector<Directions> corners_[2];
   size_t n_[2];
   size_t end_[2];  // where the match is complete
   size_t most_[2];

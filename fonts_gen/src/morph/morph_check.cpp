@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "morph/morph_loop.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen {
 namespace {
+
+constexpr int kQualityChords = 5;  // of a piece
 
 struct Chord {
   Point a;
@@ -77,7 +81,6 @@ double area_of(const MorphPolygons& polygons) {
 }
 
 void add_crossings(const MorphPolygons& polygons,
-                   int chords,
                    int step,
                    std::vector<MorphCrossing>& out) {
   std::vector<Chord> all;
@@ -91,20 +94,32 @@ void add_crossings(const MorphPolygons& polygons,
                            {std::min(a.x, b.x), std::min(a.y, b.y)},
                            {std::max(a.x, b.x), std::max(a.y, b.y)},
                            c,
-                           i / static_cast<size_t>(chords)};
+                           i / size_t{kQualityChords}};
       if (length(chord.b - chord.a) > 1e-6) {
         all.push_back(chord);
       }
     }
   }
-  for (size_t i = 0; i < all.size(); ++i) {
-    for (size_t j = i + 1; j < all.size(); ++j) {
+  // From left to right, each with those that begin before it ends.
+  std::vector<size_t> order(all.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&all](size_t i, size_t j) { return all[i].low.x < all[j].low.x; });
+  std::vector<std::pair<size_t, size_t>> found;
+  for (size_t k = 0; k < order.size(); ++k) {
+    const Chord& chord = all[order[k]];
+    for (size_t l = k + 1;
+         l < order.size() && all[order[l]].low.x <= chord.high.x; ++l) {
+      const auto [i, j] = std::minmax(order[k], order[l]);
       if (cross_each_other(all[i], all[j])) {
-        out.push_back({step,
-                       {all[i].contour, all[j].contour},
-                       {all[i].piece, all[j].piece}});
+        found.emplace_back(i, j);
       }
     }
+  }
+  std::sort(found.begin(), found.end());
+  for (const auto& [i, j] : found) {
+    out.push_back(
+        {step, {all[i].contour, all[j].contour}, {all[i].piece, all[j].piece}});
   }
 }
 
@@ -184,27 +199,33 @@ MorphPolygons morph_polygons(const MorphPair& pair,
   return out;
 }
 
-MorphQuality quality_of(const MorphPair& pair) {
-  constexpr int kChords = 5;
-  MorphQuality quality;
-  quality.is_torn = is_torn(pair);
+std::vector<MorphCrossing> crossings_of(const MorphPair& pair) {
+  std::vector<MorphCrossing> crossings;
+  for (int step = 1; step < kMorphSteps; ++step) {
+    add_crossings(morph_polygons(pair, static_cast<double>(step) / kMorphSteps,
+                                 kQualityChords),
+                  step, crossings);
+  }
+  return crossings;
+}
+
+double area_error_of(const MorphPair& pair) {
   std::vector<double> areas;
   // Half of the steps between, too: contours are half born there.
   for (int i = 0; i <= 2 * kMorphSteps; ++i) {
-    const MorphPolygons polygons =
-        morph_polygons(pair, i / (2.0 * kMorphSteps), kChords);
-    areas.push_back(area_of(polygons));
-    if (i % 2 == 0 && i != 0 && i != 2 * kMorphSteps) {
-      add_crossings(polygons, kChords, i / 2, quality.crossings);
-    }
+    areas.push_back(
+        area_of(morph_polygons(pair, i / (2.0 * kMorphSteps), kQualityChords)));
   }
   const auto [least, most] = std::minmax(areas.front(), areas.back());
+  double error = 0;
   for (const double area : areas) {
-    quality.area_error =
-        std::max({quality.area_error, least - area, area - most});
+    error = std::max({error, least - area, area - most});
   }
-  quality.area_error /= std::max(most, 1.0);
-  return quality;
+  return error / std::max(most, 1.0);
+}
+
+MorphQuality quality_of(const MorphPair& pair) {
+  return {crossings_of(pair), area_error_of(pair), is_torn(pair)};
 }
 
 double thickening_of(const MorphPair& pair) {

@@ -38,6 +38,9 @@ struct MorphQuality {
 };
 
 MorphQuality quality_of(const MorphPair& pair);
+/// Parts of it.
+std::vector<MorphCrossing> crossings_of(const MorphPair& pair);
+double area_error_of(const MorphPair& pair);
 
 /// How much farther from the edge the ink reaches on the way than at the ends:
 /// above 1, strokes run together.

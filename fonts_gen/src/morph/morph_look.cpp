@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -103,64 +104,89 @@ struct Parts {
   bool has_speck = false;
 };
 
-// `is_ink`: islands of ink, else holes. Ink is joined by corners, background is
-// not.
-Parts parts_of(const Coverage& picture, bool is_ink, float least) {
-  constexpr int kSteps[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
-                                {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
-  const auto belongs = [&](size_t i) {
-    return (picture.cover[i] >= least) == is_ink;
-  };
-  Parts parts;
-  std::vector<bool> seen(picture.cover.size());
-  std::vector<int> stack;
-  for (size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] || !belongs(i)) {
-      continue;
-    }
-    int size = 0;
-    seen[i] = true;
-    for (stack = {static_cast<int>(i)}; !stack.empty(); ++size) {
-      const int at = stack.back();
-      stack.pop_back();
-      for (int k = 0; k < (is_ink ? 8 : 4); ++k) {
-        const int x = at % picture.width + kSteps[k][0];
-        const int y = at / picture.width + kSteps[k][1];
-        const auto next = static_cast<size_t>(y * picture.width + x);
-        if (x >= 0 && y >= 0 && x < picture.width && y < picture.height &&
-            !seen[next] && belongs(next)) {
-          seen[next] = true;
-          stack.push_back(static_cast<int>(next));
-        }
+// Counts islands of ink or holes: a pixel is ink if at least that much of it is
+// covered. Ink is joined by corners, background is not.
+class PartCounter {
+ public:
+  PartCounter(bool is_ink, float least) : is_ink_{is_ink}, least_{least} {}
+
+  Parts count(const Coverage& picture) {
+    // Around the picture is a frame of what belongs to no part.
+    const int width = picture.width + 2;
+    const int steps[] = {1,         -1,        width,      -width,
+                         width + 1, width - 1, -width + 1, -width - 1};
+    const int joined = is_ink_ ? 8 : 4;
+    left_.assign(static_cast<size_t>(width * (picture.height + 2)), 0);
+    const float* cover = picture.cover.data();
+    for (int y = 1; y <= picture.height; ++y) {
+      for (int x = 1; x <= picture.width; ++x) {
+        left_[static_cast<size_t>(y * width + x)] =
+            (*cover++ >= least_) == is_ink_ ? 1 : 0;
       }
     }
-    if (i != 0) {  // else it is the background around all
-      parts.count += size < kSpeck_px ? 0 : 1;
-      parts.has_speck = parts.has_speck || size < kSpeck_px;
+    Parts parts;
+    const auto first_pixel = static_cast<size_t>(width + 1);
+    for (size_t i = first_pixel; i < left_.size(); ++i) {
+      if (left_[i] == 0) {
+        continue;
+      }
+      int size = 0;
+      left_[i] = 0;
+      for (stack_ = {static_cast<int>(i)}; !stack_.empty(); ++size) {
+        const int at = stack_.back();
+        stack_.pop_back();
+        for (int k = 0; k < joined; ++k) {
+          const int next = at + steps[k];
+          if (left_[static_cast<size_t>(next)] != 0) {
+            left_[static_cast<size_t>(next)] = 0;
+            stack_.push_back(next);
+          }
+        }
+      }
+      if (i != first_pixel) {  // else it is the background around all
+        parts.count += size < kSpeck_px ? 0 : 1;
+        parts.has_speck = parts.has_speck || size < kSpeck_px;
+      }
+    }
+    return parts;
+  }
+
+ private:
+  bool is_ink_;
+  float least_;
+  std::vector<uint8_t> left_;  // 1: belongs to a part that is not yet counted
+  std::vector<int> stack_;
+};
+
+// Parts of one kind in the frames between two ends.
+class PartWatch {
+ public:
+  PartWatch(bool is_ink,
+            float least,
+            const Coverage& first,
+            const Coverage& last)
+      : counter_{is_ink, least} {
+    for (const Coverage* const end : {&first, &last}) {
+      const Parts parts = counter_.count(*end);
+      most_ = std::max(most_, parts.count);
+      has_speck_ = has_speck_ || parts.has_speck;
     }
   }
-  return parts;
-}
 
-// Of pictures from one end to the other. A pixel is ink if at least that much
-// of it is covered.
-int blemished_frames(const std::vector<Coverage>& pictures,
-                     bool is_ink,
-                     float least) {
-  const Parts ends[] = {parts_of(pictures.front(), is_ink, least),
-                        parts_of(pictures.back(), is_ink, least)};
-  const int most = std::max(ends[0].count, ends[1].count);
-  int blemished = 0;
-  int specks = 0;  // in a row
-  for (size_t i = 1; i + 1 < pictures.size(); ++i) {
-    const Parts parts = parts_of(pictures[i], is_ink, least);
-    const bool has_speck =
-        parts.has_speck && !ends[0].has_speck && !ends[1].has_speck;
-    specks = has_speck ? specks + 1 : 0;
-    blemished += parts.count > most || specks > 1 ? 1 : 0;
+  // Whether the next frame has more parts than both ends, or specks that they
+  // have not, and so had the frame before.
+  bool is_blemished(const Coverage& frame) {
+    const Parts parts = counter_.count(frame);
+    specks_ = parts.has_speck && !has_speck_ ? specks_ + 1 : 0;
+    return parts.count > most_ || specks_ > 1;
   }
-  return blemished;
-}
+
+ private:
+  PartCounter counter_;
+  int most_ = 0;
+  bool has_speck_ = false;
+  int specks_ = 0;  // frames in a row
+};
 
 // The mean width of strokes. [u]
 double stroke_of(const MorphPolygons& polygons) {
@@ -178,32 +204,41 @@ double stroke_of(const MorphPolygons& polygons) {
 
 }  // namespace
 
-int blemished_frames(const MorphPair& pair) {
+bool has_blemish(const MorphPair& pair) {
   constexpr int kChords = 5;
   constexpr double kSizes_px[] = {24, 48, 96};
   // Narrower strokes are in pieces at rest, too.
   constexpr double kLeastStroke_px = 1.5;
-  int blemished = 0;
-  const double stroke_u = std::min(stroke_of(morph_polygons(pair, 0, kChords)),
-                                   stroke_of(morph_polygons(pair, 1, kChords)));
+  std::vector<MorphPolygons> frames;
+  for (int frame = 0; frame <= kFrames; ++frame) {
+    frames.push_back(
+        morph_polygons(pair, static_cast<double>(frame) / kFrames, kChords));
+  }
+  const double stroke_u =
+      std::min(stroke_of(frames.front()), stroke_of(frames.back()));
   for (const double px : kSizes_px) {
     if (stroke_u * px < kLeastStroke_px * kUPerEm) {
       continue;
     }
-    std::vector<Coverage> pictures;
-    for (int frame = 0; frame <= kFrames; ++frame) {
-      pictures.push_back(coverage_of(
-          morph_polygons(pair, static_cast<double>(frame) / kFrames, kChords),
-          px));
-    }
+    const Coverage first = coverage_of(frames.front(), px);
+    const Coverage last = coverage_of(frames.back(), px);
     // Also as if strokes were a bit bolder, or finer: a mouth that is about to
     // close counts as closed, wherever the grid lies.
-    blemished += blemished_frames(pictures, false, 0.4F) +
-                 blemished_frames(pictures, false, 0.5F) +
-                 blemished_frames(pictures, true, 0.5F) +
-                 blemished_frames(pictures, true, 0.6F);
+    PartWatch watches[] = {{false, 0.4F, first, last},
+                           {false, 0.5F, first, last},
+                           {true, 0.5F, first, last},
+                           {true, 0.6F, first, last}};
+    for (int frame = 1; frame < kFrames; ++frame) {
+      const Coverage picture =
+          coverage_of(frames[static_cast<size_t>(frame)], px);
+      for (PartWatch& watch : watches) {
+        if (watch.is_blemished(picture)) {
+          return true;
+        }
+      }
+    }
   }
-  return blemished;
+  return false;
 }
 
 }  // namespace inkcell::gen
