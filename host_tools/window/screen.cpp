@@ -19,6 +19,7 @@ constexpr int kWidth = 1440;
 constexpr int kHeight = 900;
 constexpr float kNormalDpi = 96;
 constexpr float kFrameSeconds = 1.0f / 60;
+constexpr int kSettlingFrames = 2;
 
 [[noreturn]] void refuse(const char* what) {
   throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
@@ -71,7 +72,8 @@ bool needs_frame(const SDL_Event& event) {
 
 }  // namespace
 
-Screen::Screen(const std::string& title, float scale) {
+Screen::Screen(const std::string& title, float scale)
+    : settling_{kSettlingFrames} {
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {
     refuse("no display");
   }
@@ -157,10 +159,12 @@ Screen::~Screen() {
 bool Screen::read_input(int wait_ms,
                         const std::function<void(const std::string&)>& on_key) {
   SDL_Event event;
-  if (SDL_WaitEventTimeout(&event, wait_ms) == 0) {
+  if (SDL_WaitEventTimeout(&event, settling_ > 0 ? 0 : wait_ms) == 0) {
+    settling_ = std::max(settling_ - 1, 0);
     return true;
   }
   do {
+    settling_ = needs_frame(event) ? kSettlingFrames : settling_;
     ImGui_ImplSDL2_ProcessEvent(&event);
     follow_pointer(event);
     if (event.type == SDL_QUIT) {

@@ -30,7 +30,8 @@ class Screen {
   /// Waits for input up to `wait_ms` and passes it to ImGui. `on_key` gets keys
   /// by their SDL names, such as ctrl+shift+z, unless a text field has the
   /// focus. Reads one press or release at a time, so that each gets a frame
-  /// even if frames are slow. False if the window was closed.
+  /// even if frames are slow; it does not wait before the frames after it, in
+  /// which what it opens is measured and shown. False if the window was closed.
   bool read_input(int wait_ms,
                   const std::function<void(const std::string&)>& on_key);
 
@@ -53,6 +54,7 @@ class Screen {
   // The pointer at the last event that was read, not its current position.
   ImVec2 pointer_ = {-FLT_MAX, -FLT_MAX};
   bool is_down_[3] = {};  // as ImGui counts buttons
+  int settling_ = 0;      // frames to come without waiting
 };
 
 }  // namespace inkcell::tools
