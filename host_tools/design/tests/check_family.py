@@ -1,5 +1,6 @@
-"""Makes a family in inkcell-editor's window, in Xvfb, by pointer and keys:
-eight letters, a Bold master of them, an axis, and a variable font by fontmake.
+"""Makes a family of the eight letters that check_window.py draws: in
+inkcell-editor's window, in Xvfb, by pointer and keys, a Bold master and an axis,
+and by fontmake a variable font.
 
 Usage: check_family.py INKCELL_EDITOR INKCELL_RENDER INKCELL_FONTGEN
                        INKCELL_ANIMATE [PICTURES]
@@ -31,15 +32,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "host_tools/screens"))
 
 import screens
-from check_window import (HEIGHT, REST, SELECTED_TEXT, WIDTH, Letters, Window)
+from check_window import (HEIGHT, SELECTED_TEXT, WIDTH, Letters, Window, picture,
+                          run_script)
 from problems import expect, finish
 from xvfb import Display, wait
 
 FILE_MENU = 25, 12       # the menu, and two of its items [px]
 ADD_MASTER = 52, 194
 AXIS = 72, 216
-PICTURE = 494, 381       # of the first glyph in Add component [px]
-PICTURES = 49            # from one to the next one [px]
 STEMS = 60               # that Bold's stems are wider by [units]
 WEIGHTS = 400, 500, 700
 BOARD = "lm3s6965evb"
@@ -48,28 +48,6 @@ OLED_LINE = 21           # of its text [px], of OLED_PX px/em
 OLED_PX = 18
 WATCH_S = 0.5            # of the reel [s]
 OLED_INK = 0.03          # that 16 greys take or add, of a line
-
-
-class PickedLetters(Letters):
-    """Parts are chosen by their pictures, which empty glyphs do not have."""
-
-    def __init__(self, font):
-        super().__init__(font)
-        self.drawn = set()
-
-    def draw(self, tool, *places):
-        super().draw(tool, *places)
-        self.drawn.add(self.shown)
-
-    def add_part(self, base):
-        x, y = PICTURE
-        shown = [c for c in self.CHARS.split(",") if c in self.drawn]
-        self.add(f"{self.shown}: part {base}",
-                 [f'do {{"do": "add_component", "base": "{base}"}}'],
-                 ("key", "ctrl+shift+c"),
-                 ("mousemove", x + PICTURES * shown.index(base), y),
-                 ("click", 1), ("mousemove", *REST))
-        self.drawn.add(self.shown)
 
 
 def run(*arguments, cwd):
@@ -91,15 +69,16 @@ def answer(window, item, *keys):
         window.display.send(*event)
 
 
-def make_family(display, folder, scripted):
-    letters = PickedLetters([])
+def make_family(display, folder):
+    letters = Letters(["save"])
     letters.make()
-    letters.run_script(scripted)
-    window = Window(display, folder)
+    letters.run_script(folder)
+    shown = folder / "opened.ppm"
+    run_script(folder, f"open {Letters.NAME}", f"screenshot {shown.name}")
+    window = Window(display, folder, Letters.NAME)
     journal = folder / f"{Letters.NAME}.journal"
     try:
-        window.new_font(Letters.NAME, Letters.CHARS)
-        window.play(letters, scripted)
+        window.wait_for(picture(shown), "the letters are not opened")
         answer(window, ADD_MASTER, ("type", "Bold"), ("key", "Tab"),
                ("type", STEMS), ("key", "Return"))
         wait(lambda: journal.exists() and
@@ -129,7 +108,7 @@ def stem(face, letter, weight, height):
 
 
 def draw_on_oled(folder, fontgen):
-    """Three lines of text, each of one weight: their ink [px]; and the picture."""
+    """Three lines of text, each of one weight: their ink [px]; and the shot."""
     build = folder / "oled"
     run("cmake", "-G", "Ninja", "-S", pathlib.Path(__file__).parent /
         "family_board", "-B", build, "-DCMAKE_BUILD_TYPE=MinSizeRel",
@@ -137,12 +116,12 @@ def draw_on_oled(folder, fontgen):
         f"-DINKCELL_FONTGEN={fontgen}", f"-DFAMILY={folder / 'V.ttf'}",
         f"-DCHARS={Letters.CHARS}", cwd=folder)
     run("cmake", "--build", build, cwd=folder)
-    picture, _ = screens.run_and_shoot([BOARD, build / "family.elf"], "",
+    shot, _ = screens.run_and_shoot([BOARD, build / "family.elf"], "",
                                        screens.wait_until_ready, folder)
-    greys = picture.pixels[::3]
-    row = OLED_LINE * OLED_SCALE * picture.width
+    greys = shot.pixels[::3]
+    row = OLED_LINE * OLED_SCALE * shot.width
     return [sum(greys[i * row:(i + 1) * row]) / 255 / OLED_SCALE ** 2
-            for i in range(len(WEIGHTS))], picture
+            for i in range(len(WEIGHTS))], shot
 
 
 def check_oled(folder, fontgen, pictures):
@@ -152,8 +131,8 @@ def check_oled(folder, fontgen, pictures):
         print("no OLED: gcc-arm-none-eabi or qemu-system-arm is missing")
         return
     render = pathlib.Path(sys.argv[2]).resolve()
-    inks, picture = draw_on_oled(folder, fontgen)
-    picture.save_png(pictures / "family_oled.png")
+    inks, shot = draw_on_oled(folder, fontgen)
+    shot.save_png(pictures / "family_oled.png")
     for weight, ink in zip(WEIGHTS, inks):
         run(render, "--font", f"{weight}.bin", "--text", Letters.TEXT, "--px",
             OLED_PX, "--filter", "area", "--ox", 2, "--oy", OLED_PX, "--width",
@@ -180,11 +159,11 @@ def check_watch(folder, animate, pictures):
 def main():
     fontgen = pathlib.Path(sys.argv[3]).resolve()
     with tempfile.TemporaryDirectory() as name:
-        folder, scripted, screen = (pathlib.Path(name) / part for part in
-                                    ("live", "scripted", "screen"))
-        for part in (folder, scripted, screen):
+        folder, screen = (pathlib.Path(name) / part for part in
+                          ("letters", "screen"))
+        for part in (folder, screen):
             part.mkdir()
-        make_family(Display(screen, WIDTH, HEIGHT), folder, scripted)
+        make_family(Display(screen, WIDTH, HEIGHT), folder)
         run(sys.executable, "-m", fontmake.__name__, "-m",
             "Letters.designspace", "-o", "variable", "--output-path", "V.ttf",
             "--keep-overlaps", cwd=folder)

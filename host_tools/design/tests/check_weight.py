@@ -146,11 +146,11 @@ def ours(design, face, folder, units):
     project, font = folder / "P.ufo", folder / "ours.ttf"
     command = {"do": "change_weight", "by": units, "glyphs": "all"}
     for arguments in (
-            ["import", "--font", face, "--chars",
+            ("import", "--font", face, "--chars",
              ",".join(f"U+{ord(c):04X}" for c in ALL + "xdp"), "--out",
-             project],
-            ["replay", "--project", project, "--do", json.dumps(command)],
-            ["export", "--project", project, "--out", font]):
+             project),
+            ("replay", "--project", project, "--do", json.dumps(command)),
+            ("export", "--project", project, "--out", font)):
         subprocess.run([design, *map(str, arguments)], check=True,
                        stdout=subprocess.DEVNULL)
     return TTFont(font)

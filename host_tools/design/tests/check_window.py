@@ -35,6 +35,8 @@ SAMPLE = 676, 398         # the button that opens the sample [px]
 # FreeType rounds points to 1/64 px, 4 on an edge's pixel.
 SIZES_PX = 12, 24, 32, 48
 MOST_OF_255 = 26
+PICTURE = 494, 381        # of the first glyph in Add component [px]
+PICTURES = 49             # from one to the next one [px]
 GLYPH_MENU = 105, 12      # the menu, and its item Curves from the field [px]
 FIELD_CURVES = 180, 224
 SMALL = 1024, 600         # of a screen [px]
@@ -152,6 +154,7 @@ class Letters(Session):
         self.opening = [f"new {self.NAME} {self.CHARS} Untitled 1000 800 -200 "
                         "500 700", "screenshot 0.ppm"]
         self.shown = "b"
+        self.drawn = set()
 
     def report(self):
         """The glyph after all steps so far."""
@@ -172,16 +175,27 @@ class Letters(Session):
     def draw(self, tool, *places):
         self.key(f"tool {tool}", tool, tool)
         self.drag(f"{self.shown}: {tool}", self.view, places)
+        self.drawn.add(self.shown)
 
-    def add_part(self, base):
+    def add_part(self, base, *events):
         self.add(f"{self.shown}: part {base}",
                  [f'do {{"do": "add_component", "base": "{base}"}}'],
-                 ("key", "ctrl+shift+c"), ("type", base),
-                 ("key", "Return"))
+                 ("key", "ctrl+shift+c"), *events)
+        self.drawn.add(self.shown)
 
-    def blend(self, *bases):
+    def pick_part(self, base):
+        """By its picture; empty glyphs have none."""
+        pictures = [c for c in self.CHARS.split(",") if c in self.drawn]
+        x = PICTURE[0] + PICTURES * pictures.index(base)
+        self.add_part(base, ("mousemove", x, PICTURE[1]), ("click", 1),
+                      ("mousemove", *REST))
+
+    def type_part(self, base):
+        self.add_part(base, ("type", base), ("key", "Return"))
+
+    def blend(self, add_part, *bases):
         for base in bases:
-            self.add_part(base)
+            add_part(base)
         self.key("combine", "ctrl+shift+u", "ctrl+shift+u")
         tree = {"op": "blend", "radius": 60,
                 "parts": [{"glyph": base, "matrix": [1, 0, 0, 1, 0, 0]}
@@ -216,10 +230,10 @@ class Letters(Session):
         self.draw("b", (120, 680), (120, 250), (120, 20))
         self.draw("b", *arch)
         self.go_to("b")
-        self.blend("l", "o")
+        self.blend(self.pick_part, "l", "o")
         self.draw("v", (120, 600), (100, 600), (60, 600))
         self.go_to("d")
-        self.blend("l", "o")
+        self.blend(self.type_part, "l", "o")
         self.draw("v", (120, 600), (300, 600), (500, 600))
         self.key("spacing", "t", "t")
         line = self.report()
@@ -243,15 +257,15 @@ class Window:
         self.display = display
         self.process = subprocess.Popen([PROGRAM, *arguments], cwd=folder,
                                         env=display.environment)
-        display.send("mousemove", *REST)
         display.focus("Inkcell")
+        self.send("mousemove", *REST)
 
     def send(self, *event):
         """Until it is answered: server and window sleep, which they do not where
-        the machine is busy and they wait for it."""
+        the machine is busy and they wait for it; or the window is closed."""
         self.display.send(*event)
         asleep = 0
-        while asleep < 5:
+        while asleep < 5 and self.process.poll() is None:
             asleep = asleep + 1 if all(
                 is_asleep(process.pid) for process in
                 (self.display.server, self.process)) else 0
@@ -259,7 +273,6 @@ class Window:
 
     def read_import(self):
         """Ends the dialog of what an import left out."""
-        self.send("mousemove", *REST)
         shown = self.display.pixels()
         self.send("key", "Return")
         wait(lambda: self.display.pixels() != shown, "the dialog stays")
@@ -274,14 +287,14 @@ class Window:
 
     def new_font(self, name, chars):
         """Answers the dialog New font; Tab goes from field to field."""
-        self.display.send("key", "ctrl+n")
+        self.send("key", "ctrl+n")
         wait(lambda: SELECTED_TEXT in self.display.pixels(),
              "the name that New font proposes is not selected")
-        self.display.send("type", name)
+        self.send("type", name)
         for _ in range(7):
-            self.display.send("key", "Tab")
-        self.display.send("type", chars)
-        self.display.send("key", "Return")
+            self.send("key", "Tab")
+        self.send("type", chars)
+        self.send("key", "Return")
 
     def wait_for(self, expected, name):
         """Until the screen is this picture."""
@@ -303,11 +316,11 @@ class Window:
 
     def export(self, folder, name):
         """Types a name over the one that the dialog proposes."""
-        self.display.send("key", "ctrl+e")
+        self.send("key", "ctrl+e")
         wait(lambda: SELECTED_TEXT in self.display.pixels(),
              "the name that Export proposes is not selected")
-        self.display.send("type", name)
-        self.display.send("key", "Return")
+        self.send("type", name)
+        self.send("key", "Return")
         wait((folder / name).exists, f"{name} is not there")
 
 
@@ -372,7 +385,7 @@ class WindowTest(unittest.TestCase):
             window.export(self.live, name)
             self.assertEqual((self.live / name).read_bytes(),
                              (self.scripted / name).read_bytes(), name)
-        self.display.send("key", "ctrl+q")
+        window.send("key", "ctrl+q")
         self.assertEqual(window.process.wait(timeout=600), 0)
 
     def test_new_font_is_made_and_quitting_asks(self):
@@ -385,7 +398,7 @@ class WindowTest(unittest.TestCase):
         steps.drag("box", report, [(100, 0), (180, 300), (200, 700)])
         steps.run_script(self.scripted)
         window = self.start()
-        send = self.display.send
+        send = window.send
         send("key", "ctrl+n")
         wait(lambda: SELECTED_TEXT in self.display.pixels(),
              "the name that New font proposes is not selected")
@@ -422,21 +435,22 @@ class WindowTest(unittest.TestCase):
         run_script(self.live, f"open {FONT} P.ufo {CHARS}")
         window = self.start("P.ufo")
         for _ in "HOa":
-            self.display.send("key", "Next")
+            window.send("key", "Next")
         journal = self.live / "P.ufo.journal"
         size = wait(lambda: journal.exists() and journal.stat().st_size,
                     "there is no journal")
         for name, _, events in steps.steps[3:]:
             for event in events:
-                self.display.send(*event)
+                window.send(*event)
             if name.endswith("release"):
                 size = wait(lambda: journal.stat().st_size > size and
                             journal.stat().st_size,
                             "a drag is not in the journal")
         # A fourth drag has begun.
         (x, y), _ = canvas_place(letter, (x, y))
-        self.display.send("mousemove", x, y, "mousedown", 1,
-                          "mousemove", x + 90, y)
+        for event in (("mousemove", x, y), ("mousedown", 1),
+                      ("mousemove", x + 90, y)):
+            window.send(*event)
         window.process.kill()
         window.process.wait()
         report, = run_script(self.live, "open P.ufo", "glyph a", "print")
@@ -463,7 +477,7 @@ class WindowTest(unittest.TestCase):
         font = self.live / "Letters.ttf"
         self.assertEqual(font.read_bytes(),
                          (self.scripted / "Letters.ttf").read_bytes())
-        self.display.send("key", "ctrl+s")
+        window.send("key", "ctrl+s")
         kerning = self.live / letters.NAME / "kerning.plist"
         wait(kerning.exists, "the kerning is not saved")
         worst = worst_coverage(font, letters.LETTERS)
@@ -474,7 +488,8 @@ class WindowTest(unittest.TestCase):
     def test_sample_is_opened_by_a_click(self):
         run_script(self.scripted, "sample", "screenshot 0.ppm")
         window = self.start()
-        self.display.send("mousemove", *SAMPLE, "click", 1, "mousemove", *REST)
+        for event in (("mousemove", *SAMPLE), ("click", 1), ("mousemove", *REST)):
+            window.send(*event)
         window.wait_for(picture(self.scripted / "0.ppm"), "the sample")
 
     def test_small_screen_has_room_for_all_panels(self):

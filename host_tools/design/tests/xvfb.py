@@ -11,11 +11,13 @@ WAIT_S = 600  # ends what hangs
 def wait(condition, what):
     """Returns what `condition` does as soon as it is true."""
     end = time.monotonic() + WAIT_S
+    pause_s = 0.02
     while time.monotonic() < end:
         value = condition()
         if value:
             return value
-        time.sleep(0.02)
+        time.sleep(pause_s)
+        pause_s = min(1.2 * pause_s, 0.5)  # others may have the processor
     raise AssertionError(f"after {WAIT_S} s: {what}")
 
 
