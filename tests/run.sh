@@ -70,9 +70,12 @@ run_tests() {
   folder=build/$1
   shift
   begun=$(date +%s)
+  measure "$name"
+  before=$processor
   ctest --test-dir "$folder" -j "$jobs" --timeout 400 --no-tests=error \
     --output-on-failure "$@" >"$logs/$name.log" 2>&1
   result=$?
+  measure "$name"
   of=$(sed -n 's/.*, \([0-9]*\) tests* failed out of \([0-9]*\)$/\1 \2/p' \
     "$logs/$name.log")
   bad=${of% *}
@@ -85,8 +88,8 @@ run_tests() {
   verdict=ok
   [ "$bad" = 0 ] || verdict=FAILED
   printf '%s\n' "$(
-    printf '%-8s%-28s%4d s  %d of %d tests\n' $verdict "$name" \
-      $(($(date +%s) - begun)) $((all - bad)) "$all"
+    printf '%-8s%-28s%4d s (%d s)  %d of %d tests\n' $verdict "$name" \
+      $(($(date +%s) - begun)) $((processor - before)) $((all - bad)) "$all"
     if [ $verdict = FAILED ]; then
       grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start ' "$logs/$name.log" |
         tail -n 80 | sed 's/^/    /'

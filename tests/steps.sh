@@ -23,12 +23,25 @@ wanted() {
   case " $only " in *" $1 "*) ;; *) return 1 ;; esac
 }
 
-# step <name> <command>...: runs it, says how it went, and counts it. A command
-# that exits with 77 could not be run here: its last line says why.
+# measure <name>: sets $processor, the seconds of processor time of children of
+# this shell that have ended.
+measure() {
+  # Not in $(), which would tell of another shell.
+  times >"$logs/$1.times"
+  processor=$(awk 'NR == 2 {
+    for (i = 1; i <= 2; ++i) { split($i, t, "m"); s += 60 * t[1] + t[2] }
+    printf "%d", s }' "$logs/$1.times")
+}
+
+# step <name> <command>...: runs it, says how it went and how many seconds it took,
+# in brackets those of processor time, and counts it. A command that exits with 77
+# could not be run here: its last line says why.
 step() {
   name=$1
   shift
   begun=$(date +%s)
+  measure "$name"
+  before=$processor
   "$@" >"$logs/$name.log" 2>&1
   case $? in
     0) verdict=ok count='1 0 0' ;;
@@ -36,9 +49,11 @@ step() {
     *) verdict=FAILED count='0 1 0' ;;
   esac
   echo "$count" >>"$counts"
+  measure "$name"
   # At once, so that steps side by side do not mix their lines.
   printf '%s\n' "$(
-    printf '%-8s%-28s%4d s\n' $verdict "$name" $(($(date +%s) - begun))
+    printf '%-8s%-28s%4d s (%d s)\n' $verdict "$name" \
+      $(($(date +%s) - begun)) $((processor - before))
     case $verdict in
       skipped) tail -n 1 "$logs/$name.log" | sed 's/^/    /' ;;
       FAILED) tail -n 40 "$logs/$name.log" | sed 's/^/    /' ;;
@@ -53,11 +68,7 @@ summary() {
   while read -r good bad left; do
     passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + left))
   done <"$counts"
-  # Not in $(), which would tell of another shell.
-  times >"$logs/times"
-  processor=$(awk 'NR == 2 {
-    for (i = 1; i <= 2; ++i) { split($i, t, "m"); s += 60 * t[1] + t[2] }
-    printf "%d", s }' "$logs/times")
+  measure all
   printf '\n%d s, %d s of processor time; logs in build/tests\n' \
     $(($(date +%s) - started)) "$processor"
   [ $skipped = 0 ] || printf '%d skipped, ' $skipped
