@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
@@ -13,6 +16,7 @@
 #include "inkcell/style.hpp"
 #include "parallel.hpp"
 #include "rom/rom_font.hpp"
+#include "shape/pixel_regions.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen {
@@ -145,80 +149,35 @@ int harm(const TrialFont& font, uint16_t glyph, const Topology& wanted) {
   return sum;
 }
 
-// Joins pixels of one colour that touch.
-class Regions {
- public:
-  Regions(int width, int height)
-      : width_(width),
-        is_ink_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
-
-  void set_ink(int x, int y) { is_ink_[index(x, y)] = true; }
-
-  int count(bool of_ink) const {
-    std::vector<bool> is_free(is_ink_.size());
-    for (size_t i = 0; i < is_free.size(); ++i) {
-      is_free[i] = is_ink_[i] == of_ink;
-    }
-    int regions = 0;
-    for (size_t i = 0; i < is_free.size(); ++i) {
-      if (is_free[i]) {
-        ++regions;
-        take(i, of_ink, is_free);
-      }
-    }
-    return regions;
-  }
-
- private:
-  size_t index(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) +
-           static_cast<size_t>(x);
-  }
-
-  void take(size_t first, bool with_corners, std::vector<bool>& is_free) const {
-    const int height = static_cast<int>(is_free.size()) / width_;
-    std::vector<size_t> left = {first};
-    is_free[first] = false;
-    while (!left.empty()) {
-      const int x = static_cast<int>(left.back()) % width_;
-      const int y = static_cast<int>(left.back()) / width_;
-      left.pop_back();
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          if ((dx != 0 && dy != 0 && !with_corners) || x + dx < 0 ||
-              x + dx >= width_ || y + dy < 0 || y + dy >= height) {
-            continue;
-          }
-          const size_t to = index(x + dx, y + dy);
-          if (is_free[to]) {
-            is_free[to] = false;
-            left.push_back(to);
-          }
-        }
-      }
-    }
-  }
-
-  int width_;
-  std::vector<bool> is_ink_;
-};
-
 }  // namespace
 
 Topology topology_of(const Canvas& canvas) {
   const Rect& area = canvas.area();
-  const int width = area.x1 - area.x0;
-  const int height = area.y1 - area.y0;
-  // What surrounds the glyph is one region.
-  Regions regions(width + 2, height + 2);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (canvas.at(area.x0 + x, area.y0 + y) >= kInk) {
-        regions.set_ink(x + 1, y + 1);
+  // A pixel of background around the glyph joins what surrounds it to one
+  // region, and around that is a pixel of none.
+  constexpr int kAround = 2;
+  const int width = area.x1 - area.x0 + 2 * kAround;
+  const int height = area.y1 - area.y0 + 2 * kAround;
+  std::vector<uint8_t> ink(static_cast<size_t>(width * height));
+  std::vector<uint8_t> background = ink;
+  for (int y = 1; y < height - 1; ++y) {
+    std::fill_n(background.begin() + y * width + 1, width - 2, uint8_t{1});
+  }
+  for (int y = area.y0; y < area.y1; ++y) {
+    for (int x = area.x0; x < area.x1; ++x) {
+      if (canvas.at(x, y) >= kInk) {
+        const auto at = static_cast<size_t>((y - area.y0 + kAround) * width +
+                                            x - area.x0 + kAround);
+        ink[at] = 1;
+        background[at] = 0;
       }
     }
   }
-  return {regions.count(true), regions.count(false) - 1};
+  const auto count = [width](std::vector<uint8_t>& mask, bool by_corners) {
+    return static_cast<int>(
+        pixel_regions(std::move(mask), width, by_corners).size());
+  };
+  return {count(ink, true), count(background, false) - 1};
 }
 
 void drop_harmful_hints(RomContent& content, int jobs) {

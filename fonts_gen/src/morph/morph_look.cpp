@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "morph/morph_check.hpp"
+#include "shape/pixel_regions.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
@@ -104,59 +105,27 @@ struct Parts {
   bool has_speck = false;
 };
 
-// Counts islands of ink or holes: a pixel is ink if at least that much of it is
+// Islands of ink or holes: a pixel is ink if at least that much of it is
 // covered. Ink is joined by corners, background is not.
-class PartCounter {
- public:
-  PartCounter(bool is_ink, float least) : is_ink_{is_ink}, least_{least} {}
-
-  Parts count(const Coverage& picture) {
-    // Around the picture is a frame of what belongs to no part.
-    const int width = picture.width + 2;
-    const int steps[] = {1,         -1,        width,      -width,
-                         width + 1, width - 1, -width + 1, -width - 1};
-    const int joined = is_ink_ ? 8 : 4;
-    left_.assign(static_cast<size_t>(width * (picture.height + 2)), 0);
-    const float* cover = picture.cover.data();
-    for (int y = 1; y <= picture.height; ++y) {
-      for (int x = 1; x <= picture.width; ++x) {
-        left_[static_cast<size_t>(y * width + x)] =
-            (*cover++ >= least_) == is_ink_ ? 1 : 0;
-      }
+Parts parts_of(const Coverage& picture, bool is_ink, float least) {
+  const int width = picture.width + 2;
+  std::vector<uint8_t> mask(static_cast<size_t>(width * (picture.height + 2)));
+  const float* cover = picture.cover.data();
+  for (int y = 1; y <= picture.height; ++y) {
+    for (int x = 1; x <= picture.width; ++x) {
+      mask[static_cast<size_t>(y * width + x)] =
+          (*cover++ >= least) == is_ink ? 1 : 0;
     }
-    Parts parts;
-    const auto first_pixel = static_cast<size_t>(width + 1);
-    for (size_t i = first_pixel; i < left_.size(); ++i) {
-      if (left_[i] == 0) {
-        continue;
-      }
-      int size = 0;
-      left_[i] = 0;
-      for (stack_ = {static_cast<int>(i)}; !stack_.empty(); ++size) {
-        const int at = stack_.back();
-        stack_.pop_back();
-        for (int k = 0; k < joined; ++k) {
-          const int next = at + steps[k];
-          if (left_[static_cast<size_t>(next)] != 0) {
-            left_[static_cast<size_t>(next)] = 0;
-            stack_.push_back(next);
-          }
-        }
-      }
-      if (i != first_pixel) {  // else it is the background around all
-        parts.count += size < kSpeck_px ? 0 : 1;
-        parts.has_speck = parts.has_speck || size < kSpeck_px;
-      }
-    }
-    return parts;
   }
-
- private:
-  bool is_ink_;
-  float least_;
-  std::vector<uint8_t> left_;  // 1: belongs to a part that is not yet counted
-  std::vector<int> stack_;
-};
+  const std::vector<int> sizes = pixel_regions(std::move(mask), width, is_ink);
+  Parts parts;
+  // The first hole is the background around all.
+  for (size_t i = is_ink ? 0 : 1; i < sizes.size(); ++i) {
+    parts.count += sizes[i] < kSpeck_px ? 0 : 1;
+    parts.has_speck = parts.has_speck || sizes[i] < kSpeck_px;
+  }
+  return parts;
+}
 
 // Parts of one kind in the frames between two ends.
 class PartWatch {
@@ -165,9 +134,9 @@ class PartWatch {
             float least,
             const Coverage& first,
             const Coverage& last)
-      : counter_{is_ink, least} {
+      : is_ink_{is_ink}, least_{least} {
     for (const Coverage* const end : {&first, &last}) {
-      const Parts parts = counter_.count(*end);
+      const Parts parts = parts_of(*end, is_ink, least);
       most_ = std::max(most_, parts.count);
       has_speck_ = has_speck_ || parts.has_speck;
     }
@@ -176,13 +145,14 @@ class PartWatch {
   // Whether the next frame has more parts than both ends, or specks that they
   // have not, and so had the frame before.
   bool is_blemished(const Coverage& frame) {
-    const Parts parts = counter_.count(frame);
+    const Parts parts = parts_of(frame, is_ink_, least_);
     specks_ = parts.has_speck && !has_speck_ ? specks_ + 1 : 0;
     return parts.count > most_ || specks_ > 1;
   }
 
  private:
-  PartCounter counter_;
+  bool is_ink_;
+  float least_;
   int most_ = 0;
   bool has_speck_ = false;
   int specks_ = 0;  // frames in a row
