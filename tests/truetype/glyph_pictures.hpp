@@ -25,7 +25,9 @@ inline constexpr int32_t kPixels = kSide * kSide;
 inline constexpr int32_t kSamples = 8;
 inline constexpr int32_t kOff = 16;
 
-using Picture = std::vector<double>;
+// Of each pixel 0..255, in steps that hold the mean of 8 x 8 samples exactly.
+using Picture = std::vector<uint16_t>;
+inline constexpr int32_t kStepsOfOne = kSamples * kSamples;
 
 inline void require(bool condition, const char* what) {
   if (!condition) {
@@ -34,7 +36,7 @@ inline void require(bool condition, const char* what) {
   }
 }
 
-// FreeType's coverage of a glyph, of `samples` squared a pixel.
+// FreeType's coverage of a glyph, of `samples` squared a pixel: 1 or kSamples.
 inline Picture freetype_picture(FT_Face face,
                                 uint32_t glyph,
                                 int32_t px,
@@ -53,8 +55,8 @@ inline Picture freetype_picture(FT_Face face,
       const int32_t at_x = x + face->glyph->bitmap_left + kX * samples;
       const int32_t at_y = y - face->glyph->bitmap_top + kY * samples;
       out[static_cast<size_t>(at_y / samples * kSide + at_x / samples)] +=
-          static_cast<double>(bitmap.buffer[y * bitmap.pitch + x]) /
-          (samples * samples);
+          static_cast<uint16_t>(bitmap.buffer[y * bitmap.pitch + x] *
+                                (kStepsOfOne / (samples * samples)));
     }
   }
   return out;
@@ -76,7 +78,11 @@ inline Picture own_picture(const inkcell::Font& font,
     Painter(canvas, Workspace(ram))
         .glyph(font, style, {Q26_6::from_int(kX), Q26_6::from_int(kY)}, glyph);
   }
-  return {bytes.begin(), bytes.end()};
+  Picture out(kPixels);
+  for (size_t i = 0; i < out.size(); ++i) {
+    out[i] = static_cast<uint16_t>(bytes[i] * kStepsOfOne);
+  }
+  return out;
 }
 
 struct Error {
@@ -87,7 +93,8 @@ struct Error {
 
   void add(const Picture& truth, const Picture& drawn) {
     for (size_t i = 0; i < truth.size(); ++i) {
-      const double away = fabs(truth[i] - drawn[i]);
+      const double away =
+          static_cast<double>(abs(truth[i] - drawn[i])) / kStepsOfOne;
       worst = fmax(worst, away);
       off += away > kOff ? 1 : 0;
       if (truth[i] != 0 || drawn[i] != 0) {

@@ -11,7 +11,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "glyph_pictures.hpp"
@@ -49,8 +48,9 @@ void compare(const std::string& name,
              FT_Library library,
              uint32_t most,
              Totals& totals) {
-  std::ifstream in(name, std::ios::binary);
-  const std::vector<char> file{std::istreambuf_iterator<char>(in), {}};
+  std::vector<char> file(std::filesystem::file_size(name));
+  std::ifstream(name, std::ios::binary)
+      .read(file.data(), static_cast<std::streamsize>(file.size()));
   TrueTypeFont opened;
   FT_Face face = nullptr;
   if (opened.open({reinterpret_cast<const uint8_t*>(file.data()),
