@@ -456,7 +456,8 @@ Value toggle_smooth(const Glyph& glyph, PointId id) {
 }
 
 Value replace_contours(const Glyph& glyph,
-                       const std::vector<PointContour>& contours) {
+                       const std::vector<PointContour>& contours,
+                       const char* title) {
   std::vector<Value> commands;
   for (size_t i = glyph.contours.size(); i-- > 0;) {
     if (std::find(contours.begin(), contours.end(), glyph.contours[i]) ==
@@ -470,7 +471,10 @@ Value replace_contours(const Glyph& glyph,
       commands.push_back(add_contour(contour));
     }
   }
-  return commands.empty() ? Value() : batch(std::move(commands));
+  if (commands.empty()) {
+    return nullptr;
+  }
+  return {{"do", "batch"}, {"title", title}, {"commands", std::move(commands)}};
 }
 
 Value add_contour(const PointContour& contour) {

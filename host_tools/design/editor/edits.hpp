@@ -45,9 +45,10 @@ Value curve_line(const Glyph& glyph, PointId id);
 /// Makes a point of a curve smooth, with its handles in line, or a corner.
 Value toggle_smooth(const Glyph& glyph, PointId id);
 
-/// Replaces contours that differ by `contours`.
+/// Replaces contours that differ by `contours`; the history calls it `title`.
 Value replace_contours(const Glyph& glyph,
-                       const std::vector<PointContour>& contours);
+                       const std::vector<PointContour>& contours,
+                       const char* title);
 
 Value add_contour(const PointContour& contour);
 

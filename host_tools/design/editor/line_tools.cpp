@@ -95,7 +95,7 @@ class KnifeTool : public LineTool {
   void finish(Editor& editor) override {
     const GlyphPointer glyph = editor.glyph();
     const Value command =
-        replace_contours(*glyph, cut_contours(glyph->contours, a_, b_));
+        replace_contours(*glyph, cut_contours(glyph->contours, a_, b_), "Cut");
     if (command.is_null()) {
       editor.message = {"The cut must begin and end outside the ink", true};
     } else {

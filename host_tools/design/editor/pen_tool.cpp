@@ -135,7 +135,7 @@ class PenTool : public Tool {
     }
     std::vector<PointContour> contours = glyph.contours;
     contours[place->contour] = with_point(contours[place->contour], *place);
-    editor.run(replace_contours(glyph, contours));
+    editor.run(replace_contours(glyph, contours, "Add point"));
     return true;
   }
 

@@ -40,10 +40,12 @@ Value font_value(const FontData& font) {
 
 std::string title_of(const Value& command, const Change& change) {
   const Value* named = &command;
-  while (named->contains("commands") && !named->at("commands").empty()) {
+  while (named->at("do") == "batch" && !named->contains("title") &&
+         !named->at("commands").empty()) {
     named = &named->at("commands").front();
   }
-  std::string title = named->value("do", "");
+  const bool is_batch = named->at("do") == "batch";
+  std::string title = named->value(is_batch ? "title" : "do", "batch");
   std::replace(title.begin(), title.end(), '_', ' ');
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') {
     title[0] = static_cast<char>(title[0] - 'a' + 'A');

@@ -27,6 +27,7 @@ void append(const Change& next, Change& sum) {
 }
 
 Change batch(const Project& project, const Arguments& arguments) {
+  arguments.text("title", "");  // of the history
   Project state = project;
   Change sum;
   for (const Value& command : arguments.array("commands")) {

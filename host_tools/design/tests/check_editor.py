@@ -86,6 +86,16 @@ def check_tools(editor):
     height = {point[1] for contour in knife["contours"] for point in contour}
     expect({0, 150, 300} <= height, f"knife: {height}")
     expect(len(ring["contours"]) == 1 and ring["bytes"] > 0, "stroke")
+    # The history says what the hand did.
+    for tool, place, name in (("Pen", ((300, 0),), "Add point"),
+                              ("Knife", ((50, 150), (700, 150)), "Cut")):
+        undone, = editor.run(
+            "open P.ufo", "glyph O", "key ctrl+a", "key delete",
+            "tool Rectangle", "press 100 0", "move 500 300", "release 500 300",
+            f"tool {tool}", *(f"{event} {x} {y}" for event, (x, y) in zip(
+                ("press", "move", "release"), (place[0], *2 * place[-1:]))),
+            "key ctrl+z", "print")
+        expect(undone["message"] == f"Undone: {name} of O", undone["message"])
     # A cut through both contours of a ring leaves two parts.
     halves, = editor.run("open P.ufo", "key ctrl+z", "glyph O", "key ctrl+a",
                          "key delete", "tool Ellipse", "press 0 0",
